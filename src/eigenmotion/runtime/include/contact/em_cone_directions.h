@@ -22,7 +22,7 @@ EM_NOINLINE int em_sliding_cones(const em_mixed *s, int *cones) {
 
 /* off (count) <- the angles from d to w if d has these angles. Returns the largest, or -1: the mode's rows are
  * dependent. */
-EM_NOINLINE double em_direction_errors(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
+EM_NOINLINE double em_slip_direction_errors(em_mixed *s, int count, const int *cones, const double *angle, double *off) {
     double largest = 0.0;
     for (int c = 0; c < count; ++c) s->side[cones[c]] = cos(angle[c]), s->side[cones[c] + 1] = sin(angle[c]);
     if (em_forces_of_mode(s)) return -1.0;
@@ -42,7 +42,7 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
     for (int c = 0; c < count; ++c) {
         memcpy(near, angle, count * sizeof *near);
         near[c] += apart;
-        if (em_direction_errors(s, count, cones, near, there) < 0.0) return -1;
+        if (em_slip_direction_errors(s, count, cones, near, there) < 0.0) return -1;
         for (int i = 0; i < count; ++i) A[i * count + c] = remainder(there[i] - off[i], EM_TWO_PI) / apart;
     }
     for (int c = 0; c < count; ++c) step[c] = -off[c];
@@ -53,20 +53,20 @@ EM_NOINLINE int em_direction_step(em_mixed *s, int count, const int *cones, cons
 /* Newton's iteration from these angles. Returns whether it converged. */
 EM_NOINLINE int em_iterate_directions(em_mixed *s, int count, const int *cones, double *angle) {
     double off[EM_MIXED_ROWS], step[EM_MIXED_ROWS], next[EM_MIXED_ROWS], then[EM_MIXED_ROWS];
-    double size = em_direction_errors(s, count, cones, angle, off);
+    double size = em_slip_direction_errors(s, count, cones, angle, off);
     for (int k = 0; k < EM_DIRECTION_STEPS && size > 4.0 * DBL_EPSILON; ++k) {
         if (size < 0.0 || em_direction_step(s, count, cones, angle, off, step)) return 0;
         double part = 1.0, after = INFINITY;
         for (; part > 1e-3; part *= 0.5) {
             for (int c = 0; c < count; ++c) next[c] = angle[c] + part * fmax(-1.0, fmin(1.0, step[c]));
-            after = em_direction_errors(s, count, cones, next, then);
+            after = em_slip_direction_errors(s, count, cones, next, then);
             if (after >= 0.0 && after < size) break;
         }
         if (!(after >= 0.0 && after < size)) break;
         size = after;
         memcpy(angle, next, count * sizeof *next), memcpy(off, then, count * sizeof *then);
     }
-    em_direction_errors(s, count, cones, angle, off);
+    em_slip_direction_errors(s, count, cones, angle, off);
     return size >= 0.0 && size < 1e-9;
 }
 

@@ -19,7 +19,7 @@ EM_NOINLINE int em_quasi_along(const em_acting *a) {
             for (int k = 0; k < N; ++k) P[i * N + k] = row[N + k], column[i] -= row[k] * d->S[k * d->columns + j];
             for (int k = 0; k < N_FORCING; ++k) column[i] -= row[2 * N + k] * d->P[k * d->columns + j];
         }
-        if (em_eliminate(P, column)) return -1;
+        if (em_solve_completely(N, P, column, 0.0, NULL)) return -1;
         for (int i = 0; i < N; ++i) W[i * d->columns + j] = column[i];
     }
     memcpy(d->S + N * d->columns, W, sizeof W);

@@ -3,39 +3,11 @@
 #define EM_RESET_H
 
 #include "contact/em_active_set.h"
+#include "numeric/em_complete_pivoting.h"
 
 #define EM_RESET_TOLERANCE 1e-8 /* the part of its terms by which a reset may violate a constraint */
 
 enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
-
-#ifdef EM_QUASI
-/* v (n) <- P^-1 v by elimination with partial pivoting. 0, or -1: P (n, n) is singular. */
-EM_NOINLINE int em_eliminate(double *P, double *v) {
-    for (int k = 0; k < N; ++k) {
-        int best = k;
-        for (int i = k + 1; i < N; ++i)
-            if (fabs(P[i * N + k]) > fabs(P[best * N + k])) best = i;
-        if (!(fabs(P[best * N + k]) > 0.0)) return -1;
-        for (int j = 0; j < N && best != k; ++j) {
-            const double kept = P[k * N + j];
-            P[k * N + j] = P[best * N + j], P[best * N + j] = kept;
-        }
-        const double last = v[k];
-        v[k] = v[best];
-        if (best != k) v[best] = last;
-        for (int i = k + 1; i < N; ++i) {
-            const double part = P[i * N + k] / P[k * N + k];
-            for (int j = k; j < N; ++j) P[i * N + j] -= part * P[k * N + j];
-            v[i] -= part * v[k];
-        }
-    }
-    for (int k = N - 1; k >= 0; --k) {
-        for (int j = k + 1; j < N; ++j) v[k] -= P[k * N + j] * v[j];
-        v[k] /= P[k * N + k];
-    }
-    return 0;
-}
-#endif
 
 /* v (n) <- the solution of P(x, t) v = y (3). 0, or -1: P is singular. */
 EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, const double *c, double *v) {
@@ -48,7 +20,7 @@ EM_NOINLINE int em_rates_of_quasi(double t, const double *x, const double *y, co
         for (int i = 0; i < N; ++i) P[i * N + j] = column[i];
     }
     memcpy(v, y, N * sizeof *v);
-    return em_eliminate(P, v);
+    return em_solve_completely(N, P, v, 0.0, NULL);
 #else
     (void)t, (void)x, (void)c;
     return memcpy(v, y, N * sizeof *v), 0;

@@ -29,7 +29,7 @@ EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) 
 }
 
 /* The same of M at x; for small M by loops that unroll. */
-static void em_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
+static void em_monitored_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
     if (w->of->pivots) {
         w->of->pivots(t, x, w->run->prepared, pivots, diagonal);
         return;
@@ -51,13 +51,13 @@ static void em_pivots_at_start(const em_run_state *w, double *pivots) {
     double diagonal[w->n];
     if (w->pivots_known && w->last_pivots_t == w->t && !memcmp(w->last_pivots_x, w->y, size))
         memcpy(pivots, w->last_pivots, size);
-    else em_pivots(w, w->t, w->y, pivots, diagonal);
+    else em_monitored_pivots(w, w->t, w->y, pivots, diagonal);
 }
 
 /* The same at its end. */
 static void em_pivots_at_end(em_run_state *w, double *pivots, double *diagonal) {
     const size_t size = (size_t)w->n * sizeof *pivots;
-    em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
+    em_monitored_pivots(w, w->t_new, w->y_new, pivots, diagonal);
     w->pivots_known = 1;
     w->last_pivots_t = w->t_new;
     memcpy(w->last_pivots_x, w->y_new, size);
@@ -78,9 +78,9 @@ static int em_first_unresolved_in_step(const em_run_state *w, double t, const do
                                        const double *x_new, double *pivots, double *diagonal) {
     double middle[w->n], before[2][w->n];
     for (int k = 0; k < w->n; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
-    em_pivots(w, t, x, before[0], diagonal);
-    em_pivots(w, 0.5 * (t + t_new), middle, before[1], diagonal);
-    em_pivots(w, t_new, x_new, pivots, diagonal);
+    em_monitored_pivots(w, t, x, before[0], diagonal);
+    em_monitored_pivots(w, 0.5 * (t + t_new), middle, before[1], diagonal);
+    em_monitored_pivots(w, t_new, x_new, pivots, diagonal);
     const int first = em_first_unresolved_between(w->n, before[0], before[1], EM_RESOLVED);
     return first >= 0 ? first : em_first_unresolved_between(w->n, before[1], pivots, EM_RESOLVED);
 }
@@ -99,7 +99,7 @@ static int em_first_unresolved_in_parts(em_run_state *w, int parts, double most)
     em_pivots_at_start(w, pivots[0]);
     for (int j = 1; j < parts; ++j) {
         em_position_within_step(w, (double)j / parts, x);
-        em_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
+        em_monitored_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
         const int first = em_first_unresolved_between(w->n, pivots[(j + 1) % 2], pivots[j % 2], most);
         if (first >= 0) return first;
     }

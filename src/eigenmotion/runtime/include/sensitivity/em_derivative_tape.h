@@ -249,7 +249,7 @@ static void em_sample_forcings(em_pass *p) {
     double z[2 * p->n];
     for (int s = 0; w->run && s <= EM_FORCING_SAMPLES; ++s) {
         const double t = w->t[0] + (w->t[w->n_stops - 1] - w->t[0]) * s / EM_FORCING_SAMPLES;
-        if (em_motion_at(p, t, z) == 0) em_sample_forcing(p, t, z);
+        if (em_recorded_motion(p, t, z) == 0) em_sample_forcing(p, t, z);
     }
     p->of->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
 }

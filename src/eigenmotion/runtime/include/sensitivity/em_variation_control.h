@@ -84,7 +84,7 @@ static int em_solve_directions(em_pass *p, double h, const double *jump) {
 /* Begins a span at t: the state of the motion, a0, J0, and the rest. */
 static int em_begin_span(em_pass *p, double t) {
     em_variations *const w = p->of;
-    if (em_motion_at(p, t, p->z)) return -1;
+    if (em_recorded_motion(p, t, p->z)) return -1;
     em_pass_inputs(p, t);
     if (w->model->motion_derivatives(em_pass_clock(p, t), p->z, p->z + p->n, p->c, p->u, w->least_norm, p->a0, p->lambda, p->J0,
                                      p->dlambda, &w->fault)) return -1;
@@ -107,11 +107,11 @@ static int em_solve_step(em_pass *p, double from, double to) {
     p->own_motion = 0;
     if (p->tape && em_begin_step_on_tape(p)) return -1;
     for (int j = 0; j < EM_VARIATION_NODES; ++j)
-        if (em_motion_at(p, em_node_time(p, from, to, j), p->Z + j * 2 * n)) return -1;
+        if (em_recorded_motion(p, em_node_time(p, from, to, j), p->Z + j * 2 * n)) return -1;
     memcpy(of_run, end, sizeof of_run);
     const int returns = em_is_run_step_end(p->of->run, to);
     for (int round = 0;; ++round) {
-        if (em_motion_derivatives(p, from, to)) return round > 0 ? 1 : -1;
+        if (em_node_jacobians(p, from, to)) return round > 0 ? 1 : -1;
         const double off = em_motion_error(p, h);
         for (int i = 0; i < 2 * n; ++i) jump[i] = returns ? of_run[i] - end[i] : 0.0;
         if (em_solve_directions(p, h, jump)) return 1;
@@ -133,7 +133,7 @@ static int em_end_motion(em_pass *p, double to) {
     memcpy(p->z, p->Z + last * 2 * n, 2 * n * sizeof *p->z);
     if (!p->own_motion || !em_is_run_step_end(w->run, to)) return 0;
     double rate[2 * n];
-    if (em_motion_at(p, to, p->z) || em_motion_rate(p, to, p->z, rate)) return -1;
+    if (em_recorded_motion(p, to, p->z) || em_motion_rate(p, to, p->z, rate)) return -1;
     memcpy(p->a0, rate + n, n * sizeof *p->a0);
     return 0;
 }
@@ -254,7 +254,7 @@ static double em_roughness_of(em_pass *p, double to) {
 
 /* One step starting at `from`, as long as possible, within a span that ends at `last`. Returns its end; NAN: it
  * failed. */
-static double em_advance(em_pass *p, double from, double last) {
+static double em_advance_variations(em_pass *p, double from, double last) {
     em_variations *const w = p->of;
     const double least = 128.0 * DBL_EPSILON * (fabs(from) + fabs(last));
     em_begin_step(p, from);
@@ -309,7 +309,7 @@ static int em_enter_span(em_pass *p, size_t span) {
 /* Computes the directions at `last`, from t in the same span. */
 static int em_advance_to(em_pass *p, double t, double last) {
     while (t != last)
-        if (isnan(t = em_advance(p, t, last))) return -1;
+        if (isnan(t = em_advance_variations(p, t, last))) return -1;
     return 0;
 }
 

@@ -58,7 +58,7 @@ static double em_dense_beyond(const em_run *run, double t, double steps) {
 }
 
 /* z (2 n) <- x and v of the run at t. */
-static int em_motion_at(em_pass *p, double t, double *z) {
+static int em_recorded_motion(em_pass *p, double t, double *z) {
     em_variations *const w = p->of;
     const em_run *const run = w->run;
     const double low = fmin(run->t_start, run->t_reached), high = fmax(run->t_start, run->t_reached);
@@ -90,7 +90,7 @@ static void em_drive_of(const em_pass *p, const double *J, double *drive) {
 }
 
 /* a and J at the nodes of a step. */
-static int em_motion_derivatives(em_pass *p, double from, double to) {
+static int em_node_jacobians(em_pass *p, double from, double to) {
     em_variations *const w = p->of;
     const int n = p->n, width = w->model->n_arguments;
     for (int j = 0; j < EM_VARIATION_NODES; ++j) {
@@ -239,7 +239,7 @@ static double em_jerk_terms(const em_pass *p, int i, double *change) {
 
 /* Whether the terms of row i of J (v, a) cancel in a step, or change a many times: on a slow manifold, the error of a is
  * that of the state times J, which no part of S depends on. */
-static int em_is_stiff(const em_pass *p, double length, int i, double terms) {
+static int em_row_is_stiff(const em_pass *p, double length, int i, double terms) {
     double size = fabs(p->a0[i]);
     for (int j = 0; j < EM_VARIATION_NODES; ++j) size = fmax(size, fabs(p->a[j * p->n + i]));
     return length * terms > EM_STIFF * size;
@@ -259,7 +259,7 @@ static int em_forget_shifts(em_pass *p, double h) {
     for (int i = 0; i < n; ++i) {
         double change;
         const double terms = em_jerk_terms(p, i, &change);
-        const int changing = change > EM_CHANGING * terms, stiff = em_is_stiff(p, length, i, terms);
+        const int changing = change > EM_CHANGING * terms, stiff = em_row_is_stiff(p, length, i, terms);
         const double most = fmin(p->of->tolerance * (changing ? EM_MOST_OF_CHANGING : EM_MOST_OF_SHIFT), EM_MOST_OF_RATE);
         changes |= changing;
         for (int j = 0; j < k; ++j) {

@@ -14,7 +14,7 @@
 #define EM_BALANCED 4096.0 /* the ratio of two dependences up to which they are left as they are */
 
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
-EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
+EM_INLINE void em_add_jacobian_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
     for (int i = 0; i < rows; ++i) em_sum_rows(columns, inner, 1.0, D + i * width, 1, S, 1.0, W + i * columns);
 }
 
@@ -24,7 +24,7 @@ EM_INLINE void em_add_forcing(const em_pass *p, const double *J, double *to) {
     if (2 * p->n_nonzeros > rows * (k / 4)) {
         double last[n];
         for (int i = 0; i < n; ++i) last[i] = to[i * k + k - 1];
-        em_add_product(n, rows, width, k, J + 2 * n, p->P, to);
+        em_add_jacobian_product(n, rows, width, k, J + 2 * n, p->P, to);
         for (int i = 0; i < n; ++i) to[i * k + k - 1] = last[i];
         return;
     }
@@ -38,7 +38,7 @@ EM_INLINE void em_add_forcing(const em_pass *p, const double *J, double *to) {
 EM_INLINE void em_rates_of(const em_pass *p, const double *J, const double *S, double *to) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     memset(to, 0, (size_t)n * k * sizeof *to);
-    em_add_product(n, 2 * n, width, k, J, S, to);
+    em_add_jacobian_product(n, 2 * n, width, k, J, S, to);
     em_add_forcing(p, J, to);
 }
 
@@ -106,7 +106,7 @@ EM_INLINE void em_balance_step(em_pass *p, double h) {
 }
 
 /* K <- by elimination, with unknowns and equations ordered by coordinates, and then nodes. 0, or -1: singular. */
-EM_INLINE int em_solve_nodes(em_pass *p, double h) {
+EM_INLINE int em_solve_collocation(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
     const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;
     const double *const d = p->units;
@@ -160,7 +160,7 @@ EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
                 em_add_to(block, h * h * p->of->A2[i * NODES + j], p->K + j * block, p->Y);
                 em_add_to(block, h * p->of->A[i * NODES + j], p->K + j * block, p->Y + block);
             }
-            em_add_product(n, 2 * n, width, k, p->J + i * n * width, p->Y, p->W + i * block);
+            em_add_jacobian_product(n, 2 * n, width, k, p->J + i * n * width, p->Y, p->W + i * block);
         }
         const double change = em_largest_change(p, NODES * n);
         if (change <= 1e-15) return 0;
@@ -177,7 +177,7 @@ EM_INLINE int em_step_directions(em_pass *p, double h) {
     const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
     em_node_directions(p, h);
     const int iterated = !p->tape && NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
-    if (!iterated && em_solve_nodes(p, h)) return -1;
+    if (!iterated && em_solve_collocation(p, h)) return -1;
     memcpy(p->S, p->S0, 2 * (size_t)block * sizeof *p->S);
     em_add_to(block, h, p->S + block, p->S);
     for (int j = 0; j < NODES; j += 4) {
