@@ -122,7 +122,7 @@ cdef Numbers array_of(object argument, tuple shape):
     return numbers if sum == 0.0 else None
 
 
-cpdef span(t_span):
+cpdef (double, double) span(t_span) except *:
     """Return the start and end of a time span, two finite numbers [s]."""
     try:
         start, end = t_span
@@ -155,10 +155,15 @@ cpdef rows_at(t_eval, double start, double end):
     return times.array
 
 
-cpdef tolerances(PointModel model, rtol, atol):
+def tolerances(PointModel model not None, rtol, atol):
     """Return rtol and atol (n,); coordinates missing from a mapping get 1e-9."""
-    cdef Numbers absolute = absolute_tolerances(model, atol)
     cdef double relative = real_of(rtol, "rtol")
+    return relative, checked_atol(model, relative, atol).array
+
+
+cdef Numbers checked_atol(PointModel model, double relative, object atol):
+    """atol (n,), after a check of both tolerances."""
+    cdef Numbers absolute = absolute_tolerances(model, atol)
     cdef Py_ssize_t k, least = 0
     if not 0.0 <= relative < 1.0:
         raise ModelError(f"rtol is {relative}, but must be at least 0 and less than 1")
@@ -169,7 +174,7 @@ cpdef tolerances(PointModel model, rtol, atol):
         raise ModelError(f"atol of {model.coordinates[least]!r} is {absolute.data[least]}, but must not be negative")
     if relative == absolute.data[least] == 0.0:
         raise ModelError(f"rtol and the atol of {model.coordinates[least]!r} are both 0: no step can be that accurate")
-    return relative, absolute.array
+    return absolute
 
 
 cdef Numbers absolute_tolerances(PointModel model, object atol):
@@ -203,7 +208,7 @@ cdef Numbers everywhere(PointModel model, double value):
     return numbers
 
 
-cpdef step_limits(first_step, max_step, max_steps, double length):
+cpdef (double, double, long long) step_limits(first_step, max_step, max_steps, double length) except *:
     """Return first_step (0: estimated), max_step and max_steps."""
     cdef double first = 0.0, longest, most
     if first_step is not None:

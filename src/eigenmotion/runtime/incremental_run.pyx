@@ -43,7 +43,8 @@ cdef class IncrementalRun(Run):
 
     cdef em_increments part
 
-    def __init__(self, task, int method, *_, **__):
+    def __init__(self, task, int method, int other=-1):
+        self.may_change(other)
         if self.run.model.open == NULL:
             raise TypeError(f"{self.model.name}: its table has no open: where it is written by hand, it gives what "
                             "em_handle.h has")

@@ -54,12 +54,12 @@ cdef class Run:
         The exception because of which the run has kept its method, although the other one costs less; or None.
     """
 
-    def __cinit__(self, task, int method, *_, other=-1):  # further arguments are those of derived classes
+    def __cinit__(self, task, int method, *_):  # further arguments are those of __init__, here and in derived classes
         if task is not None:
             self.begin(task, method)
-            self.may_change(other)
 
-    def __init__(self, *_, **__):
+    def __init__(self, task, int method, int other=-1):
+        self.may_change(other)
         if self.run.changes:
             self.simulate_by_either()
         else:

@@ -26,7 +26,7 @@ def run_compiled(task: Task, method: Method, other: Method | None = None) -> Sol
     """
     change = -1 if other is None else other.number
     if not task.inputs.sampled:
-        return solution_of(task, method, Run(task, method.number, other=change))
+        return solution_of(task, method, Run(task, method.number, change))
     controlled = ControlledRun(task, method.number, change)
     try:
         controlled.go()
@@ -52,7 +52,7 @@ def solution_of(task: Task, method: Method, run: Run) -> Solution:
         )
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    if fields["stop"] in MAYBE_UNDEFINED and run.last is not None:
+    if run.last is not None and fields["stop"] in MAYBE_UNDEFINED:
         t, y = run.last
         last = Trajectory(task, np.array([t]), y[None], run.segments[-1:])
         fields["message"] += task.model.undefined(t, last.x[0], last.v[0], last.modes[-1][1], last.u[0])
