@@ -1,4 +1,4 @@
-"""Headers that one finds by name: few short ones, each with its reason, and a function's name belongs to one of them."""
+"""Headers that one finds by name: short ones have a reason, and the name of a function belongs to one of them."""
 
 import re
 from collections import defaultdict
