@@ -91,9 +91,9 @@ def test_groups():
     cells = [cell("a", Outcome.RIGHT), cell("b", Outcome.WRONG), cell("c", Outcome.RIGHT)]
     assert alike(cells, lambda one: one.outcome) == [("a", "c"), ("b",)]
     assert alike([*cells, cell("c", Outcome.WRONG, "rk34")], lambda one: one.outcome) == [("a",), ("b",), ("c",)]
-    assert named(("a", "c"), 3, ("b",)) == "all but b"
-    assert named(("b",), 3, ("a", "c")) == "b"
-    assert named(("a", "b"), 2, ()) == ""
+    assert named(("a", "c"), ("a", "b", "c")) == "all but b"
+    assert named(("b",), ("a", "b", "c")) == "b"
+    assert named(("a", "b"), ("a", "b")) == ""
 
 
 def test_no_label_is_longer_than_its_room():

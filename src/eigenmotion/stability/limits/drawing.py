@@ -54,7 +54,7 @@ def overview(found: Limits) -> Picture:
     frame(axes, methods if rows else [], [wrapped(name) for name, _ in rows[:_MOST_ROWS]])
     words = "worst outcome; runs that are right or agree / all runs" if rows else "every run is right or agrees"
     axes.set_title(f"{found.own.model.name}: {words}", fontsize=TYPE)
-    below(figure, [f"{_short(case)} ({_count(matrix, case)})" for case in matrix.cases if case not in shown])
+    below(figure, [(_short(case), matrix.of(case)) for case in matrix.cases if case not in shown])
     legend(figure, matrix.cells)
     text = "Rows: cases, and parameters times 1e-6 to 1e6, in which not every run is right or agrees. Columns: methods."
     return picture(figure, "stability", found.own.model.name, text + (f" Without {left} rows." if left > 0 else ""))
@@ -66,14 +66,10 @@ def _rows(matrix: Matrix, case: Case) -> list[tuple[str, list[Cell]]]:
     every = list(dict.fromkeys(cell.variant for cell in cells))
     rows = []
     for group in alike(cells, lambda cell: cell.outcome):
-        name = named(group, len(every), [variant for variant in every if variant not in group])
+        name = named(group, every)
         label = f"{_short(case)}: {name}" if name else _short(case)
         rows.append((label, [cell for cell in cells if cell.variant in group]))
     return rows
-
-
-def _count(matrix: Matrix, case: Case) -> int:
-    return sum(len(point.cells) for point in matrix.of(case))
 
 
 def _short(case: Case) -> str:

@@ -60,7 +60,7 @@ def overview(matrix: Matrix) -> Picture:
                 tile(axes, column, row, worst(cells), f"{missing}" if missing else "")
     frame(axes, columns, [wrapped(case.title) for case in cases], slanted=True)
     axes.set_title("worst outcome; number of runs that are not right" if cases else "", fontsize=TYPE)
-    below(figure, [f"{case.title} ({_count(matrix, case)})" for case in matrix.cases if case not in cases])
+    below(figure, [(case.title, matrix.of(case)) for case in matrix.cases if case not in cases])
     legend(figure, matrix.cells)
     text = "Rows: cases in which not every run is right. Columns: formulations and options."
     return picture(figure, "stability", "All cases", text)
@@ -70,13 +70,10 @@ def _all_right(matrix: Matrix, case: Case) -> bool:
     return all(c.outcome in JUDGED_RIGHT for point in matrix.of(case) for c in point.cells)
 
 
-def _count(matrix: Matrix, case: Case) -> int:
-    return sum(len(point.cells) for point in matrix.of(case))
-
-
-def below(figure: Any, names: Sequence[str]) -> None:
-    """List the cases that have no row, and their numbers of runs, below a picture."""
-    if names:
+def below(figure: Any, cases: Sequence[tuple[str, Sequence[PointResult]]]) -> None:
+    """List the cases that have no row, by title and points, and their numbers of runs, below a picture."""
+    if cases:
+        names = [f"{title} ({sum(len(point.cells) for point in points)})" for title, points in cases]
         text = fill(f"Every run is right or agrees (number of runs): {', '.join(names)}.", _LINE)
         figure.supxlabel(text, x=0.01, ha="left", fontsize=TYPE)
 
@@ -93,7 +90,7 @@ def detail(matrix: Matrix, case: Case) -> Picture:
                 shown = max(cells, key=lambda cell: cell.error or 0.0)
                 tile(axes, column, row, shown.outcome, mark(shown))
     every = list(dict.fromkeys(cell.variant for point in points for cell in point.cells))
-    names = [named(group, len(every), [v for v in every if v not in group]) for _, group in rows]
+    names = [named(group, every) for _, group in rows]
     labels = [f"{method}: {name}" if name else method for (method, _), name in zip(rows, names, strict=True)]
     frame(axes, [point.point for point in points], list(map(wrapped, labels)))
     for k in range(1, len(rows)):

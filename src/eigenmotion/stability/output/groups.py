@@ -29,16 +29,15 @@ def alike(cells: Iterable[Cell], look: Look) -> list[tuple[str, ...]]:
     return [tuple(group) for group in groups.values()]
 
 
-def named(group: Sequence[str], count: int, others: Sequence[str]) -> str:
-    """Return a name for a group of all `count` variants that a case has: "" for all of them, or who is in it.
-
-    others : the variants that are not in it
+def named(group: Sequence[str], every: Sequence[str]) -> str:
+    """Return a name for a group of the variants that a case has: "" for all of them, or who is in it.
 
     Examples
     --------
-    >>> named(("lagrange", "inverse"), 2, ()), named(("lagrange", "cholesky"), 3, ("inverse",))
+    >>> named(("lagrange", "inverse"), ("lagrange", "inverse")), named(("a", "b"), ("a", "b", "inverse"))
     ('', 'all but inverse')
     """
-    if len(group) == count:
+    others = [variant for variant in every if variant not in group]
+    if not others:
         return ""
-    return f"all but {others[0]}" if len(others) == 1 and count > 2 else ", ".join(group)
+    return f"all but {others[0]}" if len(others) == 1 and len(every) > 2 else ", ".join(group)
