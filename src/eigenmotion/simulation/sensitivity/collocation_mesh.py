@@ -55,22 +55,6 @@ def _edges(a: float, b: float, leaves: bool, meets: bool, kinks: Vector) -> Vect
     return np.concatenate([[first], within if a < b else within[::-1], [last]])
 
 
-def _lagrange(x: Vector) -> Vector:
-    """Return the polynomials (..., nodes) that are 1 at one node and 0 at the others."""
-    distance = PLACE[:, None] - PLACE + np.eye(NODES)
-    factors = (x[..., None, None] - PLACE) / distance
-    factors[..., np.eye(NODES, dtype=bool)] = 1.0
-    return np.asarray(factors.prod(axis=-1))
-
-
-def weights(x: Vector) -> tuple[Vector, Vector]:
-    """Return b, b2 (k, nodes): weights of the first and second integral from 0 to x (k,) of values at the nodes."""
-    values = _lagrange(x[:, None] * _POINTS)  # (k, points, nodes)
-    once = x[:, None] * np.einsum("q,kqj->kj", _GAUSS, values)
-    twice = x[:, None] ** 2 * np.einsum("q,kqj->kj", _GAUSS * (1 - _POINTS), values)
-    return once, twice
-
-
 def _places() -> Vector:
     """Return the Radau nodes in (0, 1]: 1, and the other zeros of P_8 - P_7."""
     difference = np.zeros(NODES + 1)
@@ -82,8 +66,8 @@ def _places() -> Vector:
     return np.asarray((x + 1) / 2)
 
 
-_POINTS, _GAUSS = ((points + 1 - k) / 2 for k, points in enumerate(legendre.leggauss(NODES)))
 PLACE = _places()
-A, A2 = weights(PLACE)
 SERIES = np.linalg.inv(legendre.legvander(2.0 * PLACE - 1.0, NODES - 1))
 """(terms, nodes): the coefficients of the Legendre series on [0, 1] of a function from its values at the nodes."""
+A, A2 = (legendre.legval(2.0 * PLACE - 1.0, legendre.legint(SERIES, order, lbnd=-1, scl=0.5)).T for order in (1, 2))
+"""(nodes, nodes): weights of the first and the second integral from 0 to each node of values at the nodes."""
