@@ -105,8 +105,8 @@ static em_unit *em_unit_create(const em_model *model, em_unit_options options) {
 }
 
 /* -1, and words that say where a fault sits. */
-static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
-    return em_words_of_fault(unit->model, fault, t, unit->words);
+static int em_unit_fail(em_unit *unit, const em_fault *fault) {
+    return em_words_of_fault(unit->model, fault, em_unit_time(unit), unit->words);
 }
 
 /* The stepper at a start, with c, y and atol. 0, or -1 and words. */
@@ -120,7 +120,7 @@ static int em_unit_open_stepper(em_unit *unit, const double *c, const double *y,
     if (unit->stepper != NULL) fault = unit->stepper->run.fault;
     if (fault.status == EM_FINISHED) return 0;
     em_unit_close(unit);
-    return em_unit_fail(unit, &fault, unit->t_start);
+    return em_unit_fail(unit, &fault);
 }
 
 /* The flow at a start, with c and atol. 0, or -1 and words. */
@@ -128,7 +128,7 @@ static int em_unit_open_flow(em_unit *unit, const double *c, const double *atol)
     const em_model *m = unit->model;
     em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
     em_flow *const flow = unit->flow = em_flow_create(m);
-    if (flow == NULL) return em_unit_fail(unit, &fault, unit->t_start);
+    if (flow == NULL) return em_unit_fail(unit, &fault);
     *flow->t = unit->t_start;
     flow->rtol = unit->rtol;
     em_unit_copy(flow->x, em_unit_x(unit), m->n);
@@ -137,7 +137,7 @@ static int em_unit_open_flow(em_unit *unit, const double *c, const double *atol)
     em_unit_copy(flow->c, c, m->n_prepared);
     if (!em_flow_check_tables(flow, em_unit_u(unit), &fault) && !em_flow_begin(flow, em_unit_u(unit), &fault)) return 0;
     em_unit_close(unit);
-    return em_unit_fail(unit, &fault, unit->t_start);
+    return em_unit_fail(unit, &fault);
 }
 
 /* Opens it with memory for c, y and atol. 0, or -1 and words. */
@@ -145,10 +145,10 @@ static int em_unit_start(em_unit *unit, double *c, double *y, double *atol) {
     const em_model *m = unit->model;
     em_fault fault;
     for (int k = 0; k < m->n; ++k) atol[k] = unit->options.atol * (unit->rtol / unit->options.rtol);
-    if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault, unit->t_start);
+    if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault);
     if (em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y, NULL, NULL)) {
         fault = (em_fault){EM_START_REFUSED, -1, -1, 0.0};
-        return em_unit_fail(unit, &fault, unit->t_start);
+        return em_unit_fail(unit, &fault);
     }
     return unit->flows ? em_unit_open_flow(unit, c, atol) : em_unit_open_stepper(unit, c, y, atol);
 }
@@ -160,7 +160,7 @@ static int em_unit_open(em_unit *unit) {
     const size_t c = (size_t)m->n_prepared, y = (size_t)m->n_state;
     double *const memory = calloc(c + y + (size_t)m->n, sizeof *memory);
     const em_fault none = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
-    if (memory == NULL) return em_unit_fail(unit, &none, unit->t_start);
+    if (memory == NULL) return em_unit_fail(unit, &none);
     const int failed = em_unit_start(unit, memory, memory + c, memory + c + y);
     free(memory);
     return failed;
@@ -217,7 +217,7 @@ static int em_unit_calculate(em_unit *unit, int group, double *out) {
     if (group == EM_OUTPUTS) failed = m->output(at.t, at.x, at.v, at.c, u, 0, out, &fault);
     else if (group == EM_RATES) failed = m->acceleration(at.t, at.x, at.v, at.c, u, 0, out, lambda, &fault);
     else m->event(at.t, at.x, at.v, at.c, u, out);
-    return failed ? em_unit_fail(unit, &fault, at.t) : 0;
+    return failed ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* The place of a number given among the arguments of derivatives: x, v, inputs, parameters, time. */
@@ -299,11 +299,11 @@ static int em_unit_along(em_unit *unit, const unsigned *unknown, size_t unknowns
         return -1;
     em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
     double *const work = calloc((size_t)m->n_arguments + em_unit_partials(m), sizeof *work);
-    if (work == NULL) return em_unit_fail(unit, &fault, em_unit_time(unit));
+    if (work == NULL) return em_unit_fail(unit, &fault);
     for (size_t k = 0; k < count; ++k) work[em_unit_argument(m, known[k])] += dknown[k];
     const int failed = em_unit_changes(unit, unknown, unknowns, work, work + m->n_arguments, changes, &fault);
     free(work);
-    return failed ? em_unit_fail(unit, &fault, em_unit_time(unit)) : 0;
+    return failed ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* One of those given, or x or v as they are now. */
@@ -337,7 +337,7 @@ static int em_unit_read(em_unit *unit, const unsigned *reference, size_t count, 
     double *const calculated = calloc((size_t)(m->n_outputs + m->n + m->n_events) + 1, sizeof *calculated);
     const em_fault none = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
     int known = 0, failed = 0;
-    if (calculated == NULL) return em_unit_fail(unit, &none, em_unit_time(unit));
+    if (calculated == NULL) return em_unit_fail(unit, &none);
     for (size_t k = 0; k < count && !failed; ++k) {
         if (reference[k] < given) value[k] = em_unit_number(unit, reference[k]);
         else failed = em_unit_find(unit, reference[k], calculated, &known, &value[k]);
@@ -349,7 +349,7 @@ static int em_unit_read(em_unit *unit, const unsigned *reference, size_t count, 
 static int em_unit_advance(em_unit *unit, double t) {
     if (em_unit_open(unit)) return -1;
     if (!em_stepper_advance(unit->stepper, t, em_unit_u(unit))) return 0;
-    return em_unit_fail(unit, &unit->stepper->run.fault, unit->stepper->t);
+    return em_unit_fail(unit, &unit->stepper->run.fault);
 }
 
 /* --- as it flows: its 2 n states are x, v --- */
@@ -359,9 +359,6 @@ static void em_unit_let_flow(em_unit *unit) {
     em_unit_close(unit);
     unit->flows = 1;
 }
-
-/* The words of a fault as it flows. -1 */
-static int em_unit_stray(em_unit *unit, const em_fault *fault) { return em_unit_fail(unit, fault, em_unit_time(unit)); }
 
 static int em_unit_set_time(em_unit *unit, double t) {
     if (em_unit_open(unit)) return -1;
@@ -375,7 +372,7 @@ static int em_unit_set_states(em_unit *unit, const double *states) {
     em_fault fault = {EM_NON_FINITE_STATE, -1, -1, NAN};
     if (em_unit_open(unit)) return -1;
     for (int k = 0; k < 2 * n; ++k)
-        if (!isfinite(states[k])) return fault.first = k % n, em_unit_stray(unit, &fault);
+        if (!isfinite(states[k])) return fault.first = k % n, em_unit_fail(unit, &fault);
     em_unit_copy(unit->flow->x, states, 2 * n);
     return 0;
 }
@@ -392,14 +389,14 @@ static int em_unit_rates(em_unit *unit, double *rates) {
     em_fault fault;
     if (em_unit_open(unit)) return -1;
     em_unit_copy(rates, unit->flow->v, n);
-    return em_flow_rates(unit->flow, em_unit_u(unit), rates + n, &fault) ? em_unit_stray(unit, &fault) : 0;
+    return em_flow_rates(unit->flow, em_unit_u(unit), rates + n, &fault) ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* g (n_events) <- the event functions. 0, or -1 and words. */
 static int em_unit_indicators(em_unit *unit, double *g) {
     em_fault fault;
     if (em_unit_open(unit)) return -1;
-    return em_flow_events(unit->flow, em_unit_u(unit), g, &fault) ? em_unit_stray(unit, &fault) : 0;
+    return em_flow_events(unit->flow, em_unit_u(unit), g, &fault) ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* *event <- whether an event has to be handled after a step. 0, or -1 and words. */
@@ -407,7 +404,7 @@ static int em_unit_accepted(em_unit *unit, int *event) {
     em_fault fault;
     if (em_unit_open(unit)) return -1;
     *event = em_flow_accepted(unit->flow, em_unit_u(unit), &fault);
-    return *event < 0 ? em_unit_stray(unit, &fault) : 0;
+    return *event < 0 ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* Handles events; *changed <- whether x, v are others now. 0, or -1 and words. */
@@ -415,7 +412,7 @@ static int em_unit_update(em_unit *unit, int *changed) {
     em_fault fault;
     if (em_unit_open(unit)) return -1;
     *changed = em_flow_update(unit->flow, em_unit_u(unit), &fault);
-    return *changed < 0 ? em_unit_stray(unit, &fault) : 0;
+    return *changed < 0 ? em_unit_fail(unit, &fault) : 0;
 }
 
 /* --- all of it in one block of memory that can be moved --- */
