@@ -157,6 +157,12 @@ def place(sample: Sample, forward: Vector, rounds: int = 0) -> Place:
     return Place(sample, along * (1.0 if along @ (forward / sample.unit) >= 0.0 else -1.0), smallest, rounds)
 
 
+def point(curve: Curve, w: Vector, forward: Vector, plane: Normal | None = None, accurate: float = _ACCURATE) -> Place:
+    """Return the point of the curve that `corrected` finds, with its tangent along `forward`; raises NoPointError."""
+    sample, rounds = corrected(curve, w, plane, accurate)
+    return place(sample, forward, rounds)
+
+
 def in_between(curve: Curve, first: Place, second: Place) -> Callable[[float], Place]:
     """Return the function of points between two: at the part s in [0, 1] of the chord."""
     a, b, unit = first.sample.w, second.sample.w, first.sample.unit
@@ -171,10 +177,6 @@ def in_between(curve: Curve, first: Place, second: Place) -> Callable[[float], P
         w = a * (1 + 2 * s) * r**2 + b * (3 - 2 * s) * s**2 + slopes[0] * s * r**2 - slopes[1] * s**2 * r
         through = a + s * chord
         w = w + (normal @ (through - w)) * unit**2 * normal
-        return place(*_with_forward(corrected(curve, w, (normal, through), 1e-11), chord))
+        return point(curve, w, chord, (normal, through), 1e-11)
 
     return at
-
-
-def _with_forward(found: tuple[Sample, int], forward: Vector) -> tuple[Sample, Vector, int]:
-    return found[0], forward, found[1]

@@ -12,7 +12,7 @@ from ...results.solution import Solution
 from ..cycles.returns import Return, run
 from ..state.active_contacts import Switch, holding, switches_of
 from ..state.contact_bounds import Bounds
-from .curve import CORNER, GRAZING, Curve, Meeting, NoPointError, Place, corrected, place
+from .curve import CORNER, GRAZING, Curve, Meeting, NoPointError, Place, place, point
 
 _NEAR = 1e-9
 """Distance in units at which such a place counts as reached."""
@@ -294,10 +294,9 @@ def _step(curve: Curve, last: Place, h: float) -> Place | None:
     unit = last.sample.unit
     w = last.sample.w + h * last.tangent * unit
     try:
-        sample, rounds = corrected(curve, w, (last.tangent / unit, w), _ACCURATE)
+        return point(curve, w, last.tangent * unit, (last.tangent / unit, w), _ACCURATE)
     except NoPointError:
         return None
-    return place(sample, last.tangent * unit, rounds)
 
 
 def beyond(curve: Curve, last: Place, corner: Vector, meeting: Meeting) -> tuple[Place | None, str]:

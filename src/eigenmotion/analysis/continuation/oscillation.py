@@ -13,7 +13,7 @@ from ..cycles.periodic_problem import Problem
 from ..cycles.returns import NoReturnError, Section, returned
 from ..cycles.time_dependence import advancing, depends_on_time
 from ..linear.linearize import linearized
-from .curve import NoPointError, Place, corrected, place
+from .curve import NoPointError, Place, point
 from .cycle_curve import CycleCurve
 from .equilibrium_curve import EquilibriumCurve
 
@@ -80,5 +80,4 @@ def _begun(problem: Problem, q: Vector, change: Vector, numbers: tuple[float, fl
     outward = np.concatenate([change, [0.0, 0.0]])
     unit = curve.at(w).unit
     across = outward / unit / np.linalg.norm(outward / unit)
-    sample, rounds = corrected(curve, w, (across / unit, w))
-    return curve, place(sample, outward, rounds)
+    return curve, point(curve, w, outward, (across / unit, w))

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 from ...arguments.named_values import Vector
 from ...codegen.model.normalise import ModelError
-from .curve import Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place
+from .curve import Curve, Meeting, NoPointError, Place, Spectrum, corrected, in_between, place, point
 from .indicators import BRANCHING, FLUTTER, FOLD, HOPF, TORUS, Indicator, indicators, is_oscillation
 from .meetings import beyond, reached
 
@@ -81,9 +81,13 @@ def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], 
     begin : the first point, or a branch point and the first one beside it
     """
     path, functions = Path(), indicators(of_cycle)
+
+    def restarted(at: Place) -> None:
+        path.nodes.append(Node(at, curve.spectrum(at.sample)))
+        path.signs = {kind: function(at, path.nodes[-1].spectrum).sign for kind, function in functions.items()}
+
     for one in begin:
-        path.nodes.append(Node(one, curve.spectrum(one.sample)))
-        path.signs = {kind: function(one, path.nodes[-1].spectrum).sign for kind, function in functions.items()}
+        restarted(one)
     here, h = begin[-1], _FIRST
     for _ in range(max_steps):
         there, h, change = _stepped(curve, path, here, h)
@@ -104,8 +108,7 @@ def followed(curve: Curve, begin: tuple[Place, ...], ends: tuple[float, float], 
             there = _met(curve, path, *change)
             if there is None:
                 return path
-            path.nodes.append(Node(there, curve.spectrum(there.sample)))
-            path.signs = {kind: one(there, path.nodes[-1].spectrum).sign for kind, one in functions.items()}
+            restarted(there)
         here = there
     path.message = f"{max_steps} steps were not enough, at {here.sample.parameter:.9g}; give max_steps"
     return path
@@ -139,10 +142,9 @@ def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | N
         meeting = None
         try:
             w = here.sample.w + h * here.tangent * here.sample.unit
-            sample, rounds = corrected(curve, w)
-            there = place(sample, here.tangent * here.sample.unit, rounds)
-            reason = curve.obstacle(here.sample, sample) or _far(here, there, h)
-            meeting = curve.meeting(here.sample, sample) if h <= _SINGLE and not tried else None
+            there = point(curve, w, here.tangent * here.sample.unit)
+            reason = curve.obstacle(here.sample, there.sample) or _far(here, there, h)
+            meeting = curve.meeting(here.sample, there.sample) if h <= _SINGLE and not tried else None
         except NoPointError as error:
             reason = str(error)
         if meeting is not None:
@@ -151,7 +153,7 @@ def _stepped(curve: Curve, path: Path, here: Place, h: float) -> tuple[Place | N
                 return found[0], _FIRST, (meeting, found[1])
         elif not reason:
             turn = _angle(here, there)
-            easy = turn < 0.5 * _TURN and rounds <= 4
+            easy = turn < 0.5 * _TURN and there.rounds <= 4
             return there, min(1.6 * h, _LARGEST) if easy else h, None
         h *= 0.5
     meeting = curve.meeting(here.sample, None)
@@ -195,8 +197,7 @@ def _at_value(curve: Curve, here: Place, there: Place, goal: float) -> Place:
     w[-1] = goal
     normal = np.zeros_like(w)
     normal[-1] = 1.0 / here.sample.unit[-1]
-    sample, rounds = corrected(curve, w, (normal, w), 1e-10)
-    return place(sample, there.sample.w - here.sample.w, rounds)
+    return point(curve, w, there.sample.w - here.sample.w, (normal, w), 1e-10)
 
 
 Functions = dict[str, Callable[[Place, Spectrum], Indicator]]

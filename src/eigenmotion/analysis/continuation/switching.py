@@ -6,7 +6,7 @@ import numpy as np
 
 from ...arguments.named_values import Vector
 from ..cycles.symmetry import Symmetry
-from .curve import Curve, NoPointError, Place, corrected, place
+from .curve import Curve, NoPointError, Place, place, point
 from .cycle_curve import CycleCurve
 
 _AWAY = (0.01, 1e-3, 1e-4, 1e-5)
@@ -48,10 +48,9 @@ def crossing(curve: Curve, at: Place, along: Vector) -> tuple[Place, Place]:
     for h in _AWAY:
         w = sample.w + h * across * unit
         try:
-            beside, rounds = corrected(curve, w, (across / unit, w))
+            leaves = point(curve, w, across * unit, (across / unit, w))
         except NoPointError:
             continue
-        leaves = place(beside, across * unit, rounds)
         if abs(leaves.tangent @ (across / np.linalg.norm(across))) > 0.5:
             return place(sample, across * unit), leaves
     raise NoPointError("no other branch is found there")
