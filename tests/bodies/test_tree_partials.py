@@ -95,7 +95,7 @@ def test_machines_against_newton_and_euler(monkeypatch, seed):
     monkeypatch.setattr(link_table, "LARGE", 1)
     with mp.workdps(DIGITS):
         machine = Machine(seed, parametric=False)
-        system = loaded(compiler.generate(machine.model, Choices("articulated_body")), "-O1")
+        system = loaded(compiler.generate(machine.model, Choices("articulated_body")), "-O0")
         x = np.round(machine.x * 2**10) / 2**10  # so that steps are exact
         v = np.round(np.random.default_rng(seed).normal(size=len(x)) * 2**10) / 2**10
         machine.x = x
