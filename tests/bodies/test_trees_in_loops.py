@@ -163,14 +163,22 @@ def test_derivatives_of_a_tree_in_loops_are_those_of_straight_line_code(loops):
     assert np.abs(linear.A - straight.linearize(x, v).A).max() < 1e-10 * np.abs(linear.A).max()
 
 
+LIGHT = {
+    "empty": {"joint": "revolute", "axis": "x"},
+    "on its axis": {"joint": "revolute", "axis": (1, 2, 3), "mass": 1.0, "center": (0.1, 0.2, 0.3)},
+    "a point": {"joint": "spherical", "mass": 1.0, "center": (0.1, 0.2, 0.3)},
+}
+
+
+@pytest.mark.parametrize("kind", LIGHT)
 @pytest.mark.parametrize("solves", [False, True])
-def test_a_coordinate_without_mass_is_refused(loops, solves):
+def test_a_coordinate_without_mass_is_refused(loops, solves, kind):
     loops(solves)
     tree = em.Tree()
     arm = tree.body("arm", joint="revolute", axis="y", mass=1.0, center=(0.3, 0, 0))
-    tree.body("hand", arm, joint="revolute", axis="x", at=(0.6, 0, 0), mass=0.0)
+    tree.body("hand", arm, at=(0.6, 0, 0), **LIGHT[kind])
     model = em.Model(name="light", coordinates=tree.coordinates, kinetic_energy=tree.kinetic_energy)
-    with pytest.raises(em.ModelError, match=r"'hand' moves no mass"):
+    with pytest.raises(em.ModelError, match=r"'hand.*' moves no mass"):
         em.build(model, formulation="articulated_body")
 
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from ...bodies.numeric_pivots import NumericLink, pivots
+from ...bodies.numeric_pivots import pivots
 from ...calculus.evaluation import At
 from ...graph.store import Node
-from .link_table import LinkTable
 from .separation import Trees
 
 LEAST = 1e-12
@@ -35,7 +34,7 @@ def massless(trees: Trees, M: Sequence[Sequence[Node]], x: Sequence[str], consta
         values = [(k + 1 + place * len(x)) * _STEP % 1.0 for k in range(len(x))]
         at = At(trees.graph, given | dict(zip(x, values, strict=True)))
         if trees.table:
-            found = _zero_in_table(trees.table, at, values, [at(size) for size in sizes])
+            found = _zero_in_trees(trees, at, [at(size) for size in sizes])
         else:
             found = _zero_pivot(at.rows(M), [at(size) for size in sizes])
         if found is None:
@@ -43,13 +42,17 @@ def massless(trees: Trees, M: Sequence[Sequence[Node]], x: Sequence[str], consta
     return found
 
 
-def _zero_in_table(table: LinkTable, at: At, x: Sequence[float], armature: Sequence[float]) -> int | None:
-    """Return the last coordinate whose pivot of articulated bodies is zero."""
-    rows = [NumericLink(row.parent, row.joint, row.coordinates, [at(one) for one in row.numbers]) for row in table.rows]
-    moved = {k for row in rows for k in row.coordinates}
-    found = pivots(rows, x, armature)
-    judged = [found[k] if k in moved else (mass, mass) for k, mass in enumerate(armature)]
-    return next((k for k in reversed(range(len(x))) if abs(judged[k][0]) <= LEAST * judged[k][1]), None)
+def _zero_in_trees(trees: Trees, at: At, armature: Sequence[float]) -> int | None:
+    """Return a coordinate whose pivot of articulated bodies is zero."""
+    for tree in trees.recursions:
+        try:
+            for k, pivot, size in pivots(tree.dynamics.links, at, [armature[k] for k in tree.numbers]):
+                if abs(pivot) <= LEAST * size:
+                    return tree.numbers[k]
+        except ZeroDivisionError:
+            return tree.numbers[0]
+    moved = {k for tree in trees.recursions for k in tree.numbers}
+    return next((k for k, mass in enumerate(armature) if k not in moved and abs(mass) <= LEAST * mass), None)
 
 
 def _zero_pivot(M: list[list[float]], sizes: Sequence[float]) -> int | None:
