@@ -20,7 +20,7 @@ from ..calculus.derivatives import STEPS, Tangent
 from ..calculus.error_bound import Rounding
 from ..graph.fold import Fold
 from ..graph.graph import Graph
-from ..graph.rewrite import Rewriter, Substitution
+from ..graph.rewrite import Rewriter, Substitution, rebuilt
 from ..graph.store import Kind, Node
 
 COMPARED = frozenset({"<", "<=", ">", ">=", "==", "!=", "min", "max"})
@@ -218,7 +218,7 @@ class _Branches(Fold[tuple[Node, ...]]):
             return branches
         if math.prod(map(len, parts)) > MOST_BRANCHES:
             raise UnsolvedError
-        return [self._rebuilt(node, way) for way in product(*parts)]
+        return [rebuilt(graph, node, way) for way in product(*parts)]
 
     def _branches(self, node: Node, name: str, parts: list[tuple[Node, ...]]) -> Sequence[Node] | None:
         """Return the branches of a function with kinks or jumps; None for a smooth function."""
@@ -236,14 +236,3 @@ class _Branches(Fold[tuple[Node, ...]]):
         if name in STEPS:
             return (graph.zero, graph.one, graph.number(Fraction(1, 2)))
         return None
-
-    def _rebuilt(self, node: Node, way: tuple[Node, ...]) -> Node:
-        """Return the node with other operands."""
-        graph = self.graph
-        kind, operands = graph.records[node]
-        if way == graph.children(node):
-            return node
-        if kind is Kind.CALL:
-            return graph.call(operands[0], *way)
-        pairs = [(part, number) for part, (_, number) in zip(way, operands, strict=True)]
-        return graph.sum(pairs) if kind is Kind.SUM else graph.product(pairs)

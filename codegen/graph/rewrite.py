@@ -25,18 +25,20 @@ class Rewriter(Fold[Node]):
 
     def _result(self, node: Node) -> Node:
         replaced = self.replacement(node)
-        return self._rebuilt(node) if replaced is None else replaced
+        if replaced is not None:
+            return replaced
+        return rebuilt(self.graph, node, tuple(self._known[child] for child in self.graph.children(node)))
 
-    def _rebuilt(self, node: Node) -> Node:
-        graph, known = self.graph, self._known
-        kind, operands = graph.records[node]
-        if kind in (Kind.NUMBER, Kind.SYMBOL) or all(known[child] == child for child in graph.children(node)):
-            return node
-        if kind is Kind.SUM:
-            return graph.sum((known[child], factor) for child, factor in operands)
-        if kind is Kind.PRODUCT:
-            return graph.product((known[child], power) for child, power in operands)
-        return _folded(graph, operands[0], tuple(known[child] for child in operands[1:]))
+
+def rebuilt(graph: Graph, node: Node, children: tuple[Node, ...]) -> Node:
+    """Return a node with other children."""
+    kind, operands = graph.records[node]
+    if children == graph.children(node):
+        return node
+    if kind is Kind.CALL:
+        return _folded(graph, operands[0], children)
+    pairs = [(child, number) for child, (_, number) in zip(children, operands, strict=True)]
+    return graph.sum(pairs) if kind is Kind.SUM else graph.product(pairs)
 
 
 def _folded(graph: Graph, name: str, operands: tuple[Node, ...]) -> Node:
