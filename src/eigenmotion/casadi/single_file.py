@@ -12,18 +12,13 @@ _TEST = re.compile(r"\s*#if(n?)def (\w+)")
 _GUARD = re.compile(r"#ifndef (EM_\w+_H|EIGENMOTION_H)\b")
 
 
-def single_file(text: str, names: frozenset[str] = frozenset()) -> str:
+def single_file(text: str) -> str:
     """Return a C file with the headers of the runtime in it.
 
     A header that is included under a condition is written again where it is included next; its guard keeps the first.
-
-    Parameters
-    ----------
-    names
-        Headers whose includes are left out, because nothing that needs them is in the file.
     """
     lines: list[str] = []
-    _expand(_alive(text), set(names), lines, conditional=False)
+    _expand(_alive(text), set(), lines, conditional=False)
     return "\n".join(lines) + "\n"
 
 

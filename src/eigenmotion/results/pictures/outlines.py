@@ -25,13 +25,13 @@ class Outlines:
     paths: list[Vector] = field(default_factory=list)
 
 
-def outlines(drawing: Drawing, row: int, until: bool = True) -> Outlines:
-    """Return the outlines of a drawing at one row; with `until`, traces end at that row."""
+def outlines(drawing: Drawing, row: int) -> Outlines:
+    """Return the outlines of a drawing at one row, at which traces end."""
     outlined = Outlines()
     for shape in drawing.shapes:
         _ADD[shape.kind](outlined, shape, row, drawing.size)
         if shape.kind == "trace":
-            outlined.paths.append(shape.points[: row + 1 if until else None, 0])
+            outlined.paths.append(shape.points[: row + 1, 0])
     return outlined
 
 
