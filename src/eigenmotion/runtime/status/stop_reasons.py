@@ -191,91 +191,68 @@ _REMEDY = {
 }
 
 
-_NEAR_SINGULAR = (
-    "The mass matrix comes so near to being singular at coordinate {first} that no step is short enough to follow it, "
-    "or rounding leaves fewer digits of it than rtol asks for. Choose coordinates that are regular there (Euler angles "
-    "are not everywhere); where rounding is in the way, loosen rtol."
-)
-
-_POSITION_JUMPS = (
-    "Holonomic constraint {row} jumps at this time: no motion goes there at once. Let it be "
-    "continuous in the time (a ramp)."
-)
-
-_CONTACT_SPEED_JUMPS = (
-    "The speed of a contact that holds, constraint {row}, jumps at this time: whether it kicks or lets go is not "
-    "stated. Let the speed be continuous in the time (a short ramp)."
-)
-
-_TOO_MANY_MODES = (
-    "Of so many contacts and frictions at once, {event} among them, none of the modes tried is consistent. Close fewer."
-)
-
-_INSIDE_CONTACT = "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
-_RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
-
-_LAW_NOT_DERIVED = (
-    "The derivative of an impact by Poisson's law, or in which a friction cone slips, is not known: event {event}. "
-    "State Newton's law, or frictions along lines."
-)
-
-_LOWERED_RESTITUTION = (
-    "The restitution of event {event} is lowered there, for with friction it would raise the energy: its derivative is "
-    "not known. Give a restitution of 0, or less friction."
-)
-
-_JAMMED = "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower its coefficient."
-
-_NO_RATES = (
-    "The reset of event {event} gives quasi-velocities where P of y = P(x) xdot (3) is singular, so that nothing "
-    "follows of the rates. Give the rates."
-)
-
-_NORMALS_NOT_FOUND = (
-    "What presses on frictions is not found: Newton's method goes round in circles. Lower the friction coefficients."
-)
-
-_SHARED = (
-    "Friction is in proportion to the multiplier of constraint {row}, which is not unique: rows depend on each other. "
-    "Leave out redundant ones, or state the normal force in the limit."
-)
-
-_CONTRADICTION = (
-    "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
-)
-
-_SINGULAR_START = (
-    "Constraint {row} depends on others at the start, and no longer beside it: the start is a singular position, at "
-    "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
-)
-
-_MASS_NOT_FINITE = (
-    "The mass matrix is not finite at coordinate {first}. Look in the kinetic energy for a division by zero, or a root "
-    "or logarithm of a negative number, at this time, these parameters and coordinates."
-)
-
-_ROW_NOT_FINITE = (
-    "Constraint {row} is not finite. Look in it for a division by zero, or a root or logarithm of a negative number, "
-    "at this time, these parameters and coordinates."
-)
-
 _DETAILS = {
-    Detail.NEARLY_SINGULAR: _NEAR_SINGULAR,
-    Detail.SINGULAR_START: _SINGULAR_START,
-    Detail.CONTRADICTION: _CONTRADICTION,
-    Detail.SHARED_LOAD: _SHARED,
-    Detail.BAD_RESTITUTION: _RESTITUTION,
-    Detail.RESTITUTION_LOWERED: _LOWERED_RESTITUTION,
-    Detail.LAW_NOT_DERIVED: _LAW_NOT_DERIVED,
-    Detail.NO_RATES: _NO_RATES,
-    Detail.POSITION_JUMPS: _POSITION_JUMPS,
-    Detail.CONTACT_JUMPS: _CONTACT_SPEED_JUMPS,
-    Detail.JAMMED: _JAMMED,
-    Detail.TOO_MANY_MODES: _TOO_MANY_MODES,
-    Detail.NORMALS_NOT_FOUND: _NORMALS_NOT_FOUND,
-    Detail.INSIDE_CONTACT: _INSIDE_CONTACT,
-    Detail.MASS_NOT_FINITE: _MASS_NOT_FINITE,
-    Detail.ROW_NOT_FINITE: _ROW_NOT_FINITE,
+    Detail.NEARLY_SINGULAR: (
+        "The mass matrix comes so near to being singular at coordinate {first} that no step is short enough to follow "
+        "it, or rounding leaves fewer digits of it than rtol asks for. Choose coordinates that are regular there "
+        "(Euler angles are not everywhere); where rounding is in the way, loosen rtol."
+    ),
+    Detail.SINGULAR_START: (
+        "Constraint {row} depends on others at the start, and no longer beside it: the start is a singular position, "
+        "at which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
+    ),
+    Detail.CONTRADICTION: (
+        "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
+    ),
+    Detail.SHARED_LOAD: (
+        "Friction is in proportion to the multiplier of constraint {row}, which is not unique: rows depend on each "
+        "other. Leave out redundant ones, or state the normal force in the limit."
+    ),
+    Detail.BAD_RESTITUTION: (
+        "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
+    ),
+    Detail.RESTITUTION_LOWERED: (
+        "The restitution of event {event} is lowered there, for with friction it would raise the energy: its "
+        "derivative is not known. Give a restitution of 0, or less friction."
+    ),
+    Detail.LAW_NOT_DERIVED: (
+        "The derivative of an impact by Poisson's law, or in which a friction cone slips, is not known: event "
+        "{event}. State Newton's law, or frictions along lines."
+    ),
+    Detail.NO_RATES: (
+        "The reset of event {event} gives quasi-velocities where P of y = P(x) xdot (3) is singular, so that nothing "
+        "follows of the rates. Give the rates."
+    ),
+    Detail.POSITION_JUMPS: (
+        "Holonomic constraint {row} jumps at this time: no motion goes there at once. Let it be continuous in the "
+        "time (a ramp)."
+    ),
+    Detail.CONTACT_JUMPS: (
+        "The speed of a contact that holds, constraint {row}, jumps at this time: whether it kicks or lets go is not "
+        "stated. Let the speed be continuous in the time (a short ramp)."
+    ),
+    Detail.JAMMED: (
+        "Friction jams: no acceleration satisfies the contacts with it (Painleve's paradox). Lower its coefficient."
+    ),
+    Detail.TOO_MANY_MODES: (
+        "Of so many contacts and frictions at once, {event} among them, none of the modes tried is consistent. Close "
+        "fewer."
+    ),
+    Detail.NORMALS_NOT_FOUND: (
+        "What presses on frictions is not found: Newton's method goes round in circles. Lower the friction "
+        "coefficients."
+    ),
+    Detail.INSIDE_CONTACT: (
+        "The start is inside contact {event}, whose gap is never negative. Start where it is at least 0."
+    ),
+    Detail.MASS_NOT_FINITE: (
+        "The mass matrix is not finite at coordinate {first}. Look in the kinetic energy for a division by zero, or a "
+        "root or logarithm of a negative number, at this time, these parameters and coordinates."
+    ),
+    Detail.ROW_NOT_FINITE: (
+        "Constraint {row} is not finite. Look in it for a division by zero, or a root or logarithm of a negative "
+        "number, at this time, these parameters and coordinates."
+    ),
 }
 
 
