@@ -49,6 +49,16 @@ def test_a_factor_that_vanishes_unexpanded_is_no_fault():
     prove(model, system_for(model))
 
 
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_accelerations_that_rows_cancel_are_no_fault(formulation):
+    """At rest the accelerations by the force and by the rows cancel to rounding; each alone is of size one."""
+    rates = q.diff(), r.diff()
+    for ratio in (0.7, 1.1, 1.6, 1.9):
+        model = Model(name="held", coordinates=[q, r], forces={q: 0.7}, holonomic_constraints=[q, r + ratio * q],
+                      kinetic_energy=0.2 * rates[0] ** 2 + 0.85 * (0.4 * rates[0] + rates[1]) ** 2)  # fmt: skip
+        prove(model, system(model, formulation))
+
+
 BY_DAY = tuple(kind + 12 * (kind % 4) for kind in range(12))
 """Each kind once, formulations in turn."""
 AT_NIGHT = range(100)

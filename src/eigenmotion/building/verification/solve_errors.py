@@ -18,12 +18,16 @@ class Errors:
     """Bounds at k points.
 
     solved : (k, n) bound of the residual of M a = f - A^T lambda, with a computed by a root of M
+    W : M^-1; None without rows, as of many coordinates this takes long
+    free : (k, n) sizes of the terms of a = M^-1 f - M^-1 A^T lambda, which may cancel
     """
 
     compiled: CompiledValues
     symbolic: SymbolicValues
     terms: list[Rounded]
     solved: Vector
+    W: Rounded | None
+    free: Vector
 
     @property
     def a(self) -> Vector:
@@ -38,14 +42,11 @@ class Errors:
 
     @cached_property
     def _of_solution(self) -> tuple[Vector, Vector]:
-        """Both bounds, which need M^-1. Of many coordinates this takes long, and proofs without rows do not need it."""
         compiled, symbolic = self.compiled, self.symbolic
-        W = inverse(symbolic.M)
-        push = applied(symbolic.A.turned, rounded(compiled.multipliers))
-        free = np.abs(compiled.a) + np.abs(applied(W, push).value)
+        W = inverse(symbolic.M) if self.W is None else self.W
         left = sum((term.bound for term in self.terms), self.solved)
         wide = np.abs(W.value)
-        alone = _times(wide, left + _times(symbolic.M.bound, free))
+        alone = _times(wide, left + _times(symbolic.M.bound, self.free))
         delta = symbolic.A @ W @ symbolic.A.turned
         lost = _times(np.abs(symbolic.A.value), alone) + symbolic.row_rate.bound
         rows = lost + _times(delta.bound + EPS * geometric(delta.value), np.abs(compiled.multipliers))
@@ -61,13 +62,16 @@ def errors(compiled: CompiledValues, symbolic: SymbolicValues, terms: list[Round
     Here M is the factored matrix, and `terms` are the terms of Lagrange's equations. If `recursive`, each equation has
     the errors of the others too, since bodies pass on forces in axes of their own.
     """
-    sizes = geometric(compiled.factored)
-    solved = EPS * np.einsum("kij,kj->ki", sizes, np.abs(compiled.a))
+    sizes, free, W = geometric(compiled.factored), np.abs(compiled.a), None
+    if symbolic.A.value.shape[1]:
+        W = inverse(symbolic.M)
+        free = free + np.abs(applied(W, applied(symbolic.A.turned, rounded(compiled.multipliers))).value)
+    solved = EPS * _times(sizes, free)
     if recursive:
         square = np.abs(np.einsum("kii->ki", compiled.factored))
         forces = sum(np.abs(term.value) for term in terms) / np.where(square > 0.0, square, np.inf)
         solved = solved + EPS * _times(sizes, forces)
-    return Errors(compiled, symbolic, terms, solved)
+    return Errors(compiled, symbolic, terms, solved, W, free)
 
 
 def _times(M: Vector, v: Vector) -> Vector:
