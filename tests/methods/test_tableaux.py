@@ -18,7 +18,7 @@ from ..support.stepping import INCLUDE, PENDULUM, RUNGE_KUTTA, Array, Build, Tab
 
 RADAU = ("radau5", "radau9")
 EMBEDDED = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}
-WITHIN = {"rk34": 3, "dopri5": 4, "dop853": 7}
+DENSE_ORDER = {"rk34": 3, "dopri5": 4, "dop853": 7}
 """Orders in the literature: of the embedded solutions, and of the interpolant."""
 
 
@@ -122,9 +122,15 @@ def test_order_conditions_of_the_interpolant(coefficients: tuple[str, Coefficien
     weights = np.zeros(16)
     for j in reversed(range(len(rows))):
         weights = (weights + rows[j]) * (theta if j % 2 == 0 else 1 - theta)
-    order = WITHIN[method]
+    order = DENSE_ORDER[method]
     assert order_defect(rk.a, weights, order, theta) < 1e-12
     assert order_defect(rk.a, weights, order + 1, theta) > 1e-7
+
+
+def test_methods_whose_dense_output_takes_right_hand_sides_say_so(coefficients: tuple[str, Coefficients]) -> None:
+    """Of stages after the last, or at the end of a step that was settled: ensembles count on it."""
+    method, rk = coefficients
+    assert METHODS[method].dense_calls == (rk.table.last_extra > 0 or rk.table.solution >= rk.table.stages)
 
 
 def test_every_digit_is_that_of_scipy(build: Build) -> None:

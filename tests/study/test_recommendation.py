@@ -116,6 +116,11 @@ def test_the_recommended_call_can_be_made(stiff):
     assert 0.2 < error / stiff.recommendation.chosen.error_end < 5
 
 
+def test_every_method_has_a_line_style():
+    """Without one, a curve is solid, as that of the usual explicit and implicit method is."""
+    assert [name for name in (*METHODS, *IMPLICIT) if not dashes(name)] == ["dop853", "radau9"]
+
+
 @pytest.mark.parametrize("drawn", [False, pytest.param(True, marks=pytest.mark.nightly)])
 def test_page_of_a_stiff_model(stiff, drawn, monkeypatch, tmp_path):
     """Its pictures, of which `test_report` has those of another model, at night."""

@@ -21,6 +21,7 @@ class Method:
     number : em_method of em_run.h
     implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
     iterates : solves its stages by iteration, which converges only to the tolerances
+    dense_calls : whether dense output may take right-hand sides that the step itself does not
     """
 
     name: str
@@ -28,6 +29,7 @@ class Method:
     number: int
     implicit: bool = False
     iterates: bool = False
+    dense_calls: bool = False
 
 
 def _table(*methods: Method) -> Mapping[str, Method]:
@@ -35,9 +37,9 @@ def _table(*methods: Method) -> Mapping[str, Method]:
 
 
 METHODS = _table(
-    Method("rk34", order=4, number=0),
+    Method("rk34", order=4, number=0, dense_calls=True),
     Method("dopri5", order=5, number=1),
-    Method("dop853", order=8, number=2),
+    Method("dop853", order=8, number=2, dense_calls=True),
     Method("ra15", order=15, number=3, iterates=True),
     Method("radau5", order=5, number=6, implicit=True),
     Method("radau9", order=9, number=7, implicit=True),
@@ -49,7 +51,7 @@ FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, num
 STEPPED = _table(*METHODS.values(), *FIXED.values())
 """All methods of steppers."""
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
-_ELSEWHERE = MappingProxyType({
+_FOREIGN_SOLVERS = MappingProxyType({
     **{name: ("SciPy's", "radau9", f"{name!r}, jac=system.jacobian") for name in ("Radau", "BDF", "LSODA")},
     **dict.fromkeys(("CVODE", "CVODES"), ("SUNDIALS'", "radau9", "'BDF', jac=system.jacobian")),
     "RK45": ("SciPy's", "dopri5", "'RK45'"),
@@ -66,10 +68,10 @@ def method_of(argument: object, known: Mapping[str, Any]) -> Any:
     ModelError
         The name is unknown: lists the known ones; for solvers of SciPy and SUNDIALS, names the compiled method.
     """
-    solvers = [name for name in _ELSEWHERE if isinstance(argument, str) and name.lower() == argument.lower()]
+    solvers = [name for name in _FOREIGN_SOLVERS if isinstance(argument, str) and name.lower() == argument.lower()]
     if not solvers:
         return choice(argument, known, "method")
-    whose, instead, called = _ELSEWHERE[solvers[0]]
+    whose, instead, called = _FOREIGN_SOLVERS[solvers[0]]
     raise ModelError(
         f"method {argument!r} is {whose}: the compiled one in its place is {instead!r}. Solvers of SciPy and SUNDIALS "
         "are served by System.rhs and System.jacobian, as in "

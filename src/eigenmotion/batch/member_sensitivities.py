@@ -17,13 +17,15 @@ from .member_start import task_of
 
 Shifts = dict[int, Vector]
 """Member -> derivatives of its event times, (events, names)."""
-_TWICE = ("dop853", "rk34")
-"""Methods with extra evaluations for dense output. Runs of dop853 in lanes also differ from single ones by rounding."""
 
 
 def in_one_run(common: EnsembleTask) -> bool:
-    """Return whether a run with dense output computes the rows of a chunk bit for bit, so that one run is enough."""
-    return common.differentiated is not None and common.name not in _TWICE
+    """Return whether a run with dense output computes the rows of a chunk bit for bit, so that one run is enough.
+
+    It does not if dense output takes right-hand sides of its own, which are counted. Runs of dop853 in lanes also
+    differ from single ones by rounding.
+    """
+    return common.differentiated is not None and not METHODS[common.name].dense_calls
 
 
 def vary_members(common: EnsembleTask, members: Members, results: BatchArrays, stop: Stop) -> Shifts:

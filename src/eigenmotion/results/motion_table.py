@@ -26,39 +26,30 @@ Result = TypeVar("Result")
 
 def table(rows: Trajectory) -> dict[str, Vector]:
     """Return column -> (k,): t, coordinates, rates (marked '), multipliers, energy, outputs, states."""
-    model, n = rows.model, rows.n
-    ours = ["t", *reactions(model), "energy"]
-    coordinates = model.coordinates[:n]
-    motion = moving(ours, coordinates)
-    others = [*(("output", name) for name in rows.outputs), *(("state", name) for name in rows.states)]
-    named = columns({*ours, *motion, *coordinates}, others)
-    values = [
-        rows.t,
-        *rows.x.T[:n],
-        *rows.v.T[:n],
-        *rows.multipliers.T,
-        rows.energies.sum(axis=1),
-        *rows.outputs.values(),
-        *rows.states.values(),
-    ]
-    return dict(zip(["t", *motion, *ours[1:], *named], values, strict=True))
+    return {name: values for name, (values, _) in _columns(rows).items()}
 
 
 def units_of_columns(rows: Trajectory) -> dict[str, str]:
     """Return column -> unit, for those that have one."""
-    units, names, n = rows.model.units, list(table(rows)), rows.n
-    if not units:
-        return {}
-    coordinates, m = rows.model.coordinates[:n], rows.model.m
-    words = [
-        time_unit(units),
-        *(unit_of(units, name) for name in coordinates),
-        *(unit_of(units, name, 1) for name in coordinates),
-        *("" for _ in range(m)),
-        units.get("energy", ""),
-        *(unit_of(units, name) for name in (*rows.outputs, *rows.states)),
+    return {name: unit for name, (_, unit) in _columns(rows).items() if unit} if rows.model.units else {}
+
+
+def _columns(rows: Trajectory) -> dict[str, tuple[Vector, str]]:
+    """Return column -> its values (k,) and its unit, "" if there is none."""
+    model, units, n = rows.model, rows.model.units or {}, rows.n
+    built_in, coordinates = ["t", *reactions(model), "energy"], model.coordinates[:n]
+    motion = moving(built_in, coordinates)
+    others = [*(("output", name) for name in rows.outputs), *(("state", name) for name in rows.states)]
+    named = columns({*built_in, *motion, *coordinates}, others)
+    quantities = [
+        (rows.t, time_unit(units)),
+        *((x, unit_of(units, name)) for name, x in zip(coordinates, rows.x.T[:n], strict=True)),
+        *((v, unit_of(units, name, 1)) for name, v in zip(coordinates, rows.v.T[:n], strict=True)),
+        *((multiplier, "") for multiplier in rows.multipliers.T),
+        (rows.energies.sum(axis=1), units.get("energy", "")),
+        *((values, unit_of(units, name)) for name, values in (*rows.outputs.items(), *rows.states.items())),
     ]
-    return {name: unit for name, unit in zip(names, words, strict=True) if unit}
+    return dict(zip(["t", *motion, *built_in[1:], *named], quantities, strict=True))
 
 
 def data_frame(columns: Mapping[str, Vector], attributes: Mapping[str, Any]) -> Any:
