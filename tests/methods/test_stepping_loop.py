@@ -31,7 +31,7 @@ from ..support.stepping import (
     simulate,
 )
 
-A_STEP = {"rk34": 5, "dopri5": 6, "dop853": 12}
+CALLS_OF_A_STEP = {"rk34": 5, "dopri5": 6, "dop853": 12}
 """Right-hand sides, which the coefficients leave no choice about."""
 
 
@@ -172,7 +172,7 @@ def test_counts_and_end(build: Build, method: str) -> None:
     assert np.diff(result.t).max() <= 0.05 * (1 + 1e-12)
     assert result.run.n_steps == len(result.t) - 1
     assert result.run.n_rejected == 0
-    assert result.run.n_rhs == 1 + A_STEP[method] * result.run.n_steps
+    assert result.run.n_rhs == 1 + CALLS_OF_A_STEP[method] * result.run.n_steps
 
 
 # --- rows -------------------------------------------------------------------------------------------------------------

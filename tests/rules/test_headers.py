@@ -54,3 +54,33 @@ def test_a_function_with_two_homes_is_found(tmp_path):
     for name in "ab":
         (tmp_path / f"{name}.h").write_text("static int em_same(int n, int (*f)(int)) {\n    return f(n);\n}\n")
     assert homes(sorted(tmp_path.glob("*.h"))) == {"em_same": {"a.h", "b.h"}}
+
+
+MACRO = re.compile(r"^#define (EM_\w+)", re.MULTILINE)
+ENUMERATION = re.compile(r"enum(?: \w+)? \{(.*?)\}", re.DOTALL)
+CHOSEN = {"EM_OF_REAL"}
+"""What means one thing on lanes and another on dual numbers, which are never compiled together."""
+
+
+def constants(header: Path) -> set[str]:
+    """Macros and enumerators of a header, but what keeps it from being included twice."""
+    text = re.sub(r"/\*.*?\*/", "", header.read_text(encoding="utf-8"), flags=re.DOTALL)
+    entries = ",".join(ENUMERATION.findall(text)).split(",")
+    named = {*MACRO.findall(text), *(entry.partition("=")[0].strip() for entry in entries)}
+    return {name for name in named if name.startswith("EM_") and not name.endswith("_H")}
+
+
+def test_a_constant_has_one_home():
+    """All headers share one namespace: a macro of the same name is another number for those that come after."""
+    found = defaultdict(set)
+    for header in HEADERS:
+        for name in constants(header):
+            found[name].add(header.name)
+    assert len(found) > 400
+    assert {name: headers for name, headers in found.items() if len(headers) > 1}.keys() == CHOSEN
+
+
+def test_constants_are_found(tmp_path):
+    header = tmp_path / "em_one.h"
+    header.write_text("#define EM_ONE_H\n#define EM_A 1.0\nenum { EM_B = EM_A, /* EM_C, */ EM_D };\n")
+    assert constants(header) == {"EM_A", "EM_B", "EM_D"}

@@ -98,7 +98,7 @@ MAYBE_UNDEFINED = (StopReason.NON_FINITE_STATE, StopReason.STEP_SIZE_UNDERFLOW, 
 """Reasons of which a term without a finite value may be the cause."""
 
 _SIGN = " Where a force holds back by the sign of a speed, no step is short enough: that is a Friction."
-_REMEDY = {
+_MESSAGES = {
     StopReason.FINISHED: "The end of t_span was reached.",
     StopReason.TERMINAL_EVENT: "A terminal event ended the run.",
     StopReason.STEP_SIZE_UNDERFLOW: (
@@ -298,7 +298,7 @@ def explain(
     def name(k: int, names: Sequence[str] = coordinates) -> str:
         return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
-    words = _REMEDY[stop] if second >= -1 else _DETAILS[Detail(second)]
+    words = _MESSAGES[stop] if second >= -1 else _DETAILS[Detail(second)]
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     number = second if stop is StopReason.RESET_OFF else first
     row = rows[number] if 0 <= number < len(rows) else f"row {number}" if number >= 0 else "(row unknown)"

@@ -102,7 +102,7 @@ EM_COLD_PATH static void em_member_read(em_run_state *w, const em_lane_group *f,
     w->error_norm = w->size_norm = f->error[lane];
     w->log_size = log(w->size_norm);
     w->mode_new = w->mode;
-    w->moved = w->of->settles;
+    w->moved = w->dynamics->settles;
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 

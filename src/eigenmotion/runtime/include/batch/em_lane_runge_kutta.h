@@ -13,7 +13,7 @@
 #include "tableaux/em_step_control.h"
 
 enum {
-    EM_PARTS = 4, /* partial sums that do not depend on each other */
+    EM_PARTIAL_SUMS = 4, /* partial sums that do not depend on each other */
     EM_GROUP_STATE = (N_STATE + 3) / 4 * 4,
     EM_GROUP_STAGES = 12,
     EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
@@ -65,13 +65,13 @@ EM_INLINE void em_group_weigh(const em_lane_group *f, const em_lane_state *w, re
     }
 }
 
-/* The sum of EM_PARTS partial sums. */
+/* The sum of EM_PARTIAL_SUMS partial sums. */
 EM_INLINE real em_group_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
 
 /* sum_k (a_k b_k)^2 */
 EM_INLINE real em_group_squares(int n, const real *a, const real *b) {
-    real part[EM_PARTS] = {{0.0}};
-    for (int k = 0; k < n; ++k) part[k % EM_PARTS] += (a[k] * b[k]) * (a[k] * b[k]);
+    real part[EM_PARTIAL_SUMS] = {{0.0}};
+    for (int k = 0; k < n; ++k) part[k % EM_PARTIAL_SUMS] += (a[k] * b[k]) * (a[k] * b[k]);
     return em_group_whole(part);
 }
 
@@ -121,8 +121,8 @@ EM_INLINE real em_group_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const 
 
 /* Whether all numbers are finite: NaN and infinity survive a product with zero. */
 EM_INLINE em_truth em_group_finite(const real *a) {
-    real part[EM_PARTS] = {{0.0}};
-    for (int k = 0; k < N_STATE; ++k) part[k % EM_PARTS] += 0.0 * a[k];
+    real part[EM_PARTIAL_SUMS] = {{0.0}};
+    for (int k = 0; k < N_STATE; ++k) part[k % EM_PARTIAL_SUMS] += 0.0 * a[k];
     return em_group_whole(part) == 0.0;
 }
 

@@ -30,9 +30,9 @@ static int em_watches_mode(const em_run_state *w, int i) {
 /* g (n_events) in the mode of c. 0, or -1 and w->reason. */
 static int em_events_in_mode(em_run_state *w, double t, const double *x, const double *v, double *g) {
     const double *const c = w->run->prepared;
-    w->of->events(t, x, v, c, w->u, g);
-    if (w->of->watch_modes == NULL) return 0;
-    return w->of->watch_modes(t, x, v, c, w->u, w->run->least_norm ? EM_LEAST_NORM : 0, g, &w->reason);
+    w->dynamics->events(t, x, v, c, w->u, g);
+    if (w->dynamics->watch_modes == NULL) return 0;
+    return w->dynamics->watch_modes(t, x, v, c, w->u, w->run->least_norm ? EM_LEAST_NORM : 0, g, &w->reason);
 }
 
 static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }

@@ -96,11 +96,11 @@ typedef struct em_subinterval {
     int next;                 /* index of the next part */
 } em_subinterval;
 
-enum { EM_PARTS = 8 };
+enum { EM_SUBINTERVALS = 8 };
 
 static em_subinterval em_subinterval_to(const em_run_state *w, const em_isolation *s, int k) {
     const double left = (s->t[k - 1] - w->t) / w->h, right = (s->t[k] - w->t) / w->h;
-    return (em_subinterval){left, right, (right - left) / EM_PARTS, 0};
+    return (em_subinterval){left, right, (right - left) / EM_SUBINTERVALS, 0};
 }
 
 /* *theta <- the next local minimum of the polynomial, times `side`, on the interval; *low <- its value. Returns
@@ -108,7 +108,7 @@ static em_subinterval em_subinterval_to(const em_run_state *w, const em_isolatio
 static int em_next_minimum(const double *a, em_subinterval *way, double side, double *theta, double *low) {
     double before = side * em_polynomial_at(a, way->left + (way->next - 1) * way->part);
     double here = side * em_polynomial_at(a, way->left + way->next * way->part);
-    while (way->next <= EM_PARTS) {
+    while (way->next <= EM_SUBINTERVALS) {
         const double at = way->left + way->next * way->part, after = side * em_polynomial_at(a, at + way->part);
         ++way->next;
         if (here < before && here <= after) return *low = here, *theta = at, 1;

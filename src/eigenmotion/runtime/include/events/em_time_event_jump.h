@@ -58,14 +58,14 @@ static int em_momentum_jumps(const em_run_state *w, const em_sides *at) {
 /* The contact whose row jumps while it holds, or -1: a contact may push, but the projection would also pull. */
 static int em_contact_jumps(const em_run_state *w, const em_sides *at) {
     const int n = w->n, m = w->n_rows, numbers = m * n + m;
-    if (w->of->switched_rows == 0) return -1;
+    if (w->dynamics->switched_rows == 0) return -1;
     double rows[4][numbers], terms[numbers];
     for (int side = 0; side < 4; ++side)
         w->model->pfaffian(at->t[side], w->y, w->run->prepared, rows[side], rows[side] + m * n);
     for (int i = 0; i < numbers; ++i) terms[i] = fabs(rows[1][i]) + fabs(rows[2][i]);
     const int first = em_first_jump(numbers, numbers, rows[0], terms);
     const int row = first < m * n ? first / n : first - m * n;
-    return first >= 0 && (w->of->switched_rows >> row & 1) ? row : -1;
+    return first >= 0 && (w->dynamics->switched_rows >> row & 1) ? row : -1;
 }
 
 /* Projects velocities onto the rows after a time event. 0, or -1 and w->reason. */

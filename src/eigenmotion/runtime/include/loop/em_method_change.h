@@ -28,7 +28,7 @@ enum {
     EM_STRAINED_NODES = 10,  /* the same if a step has nodes */
     EM_STEPS_AHEAD = 200,    /* fewer explicit steps to the end do not pay for a change */
     EM_NODES_AHEAD = 50,
-    EM_FEW = 2,              /* a trial that costs a hundredth of what follows is made after this part of them */
+    EM_TRIAL_SHARE = 2,      /* a trial that costs a hundredth of what follows is made after this part of them */
     EM_HUNDREDTH = 100,
     EM_WINDOW = 8,           /* steps whose cost is counted */
     EM_DEAR_WINDOWS = 2,     /* windows in a row in which the other method would have cost less */
@@ -128,7 +128,7 @@ static int em_explicit_is_strained(em_run_state *w) {
     const int nodes = w->scheme.at_nodes, many = (nodes ? EM_STRAINED_NODES : EM_STRAINED_STEPS) << w->choice.patience;
     limited->steps = w->stiff ? limited->steps + 1 : limited->steps > 2 ? limited->steps - 2 : 0;
     if (limited->steps == 0) *limited = em_window_from_here(w);
-    if (limited->steps < many / EM_FEW) return 0;
+    if (limited->steps < many / EM_TRIAL_SHARE) return 0;
     const double ahead = fabs(w->run->t_end - w->t) / fabs(w->h);
     const double least = em_max(many, nodes ? EM_NODES_AHEAD : EM_STEPS_AHEAD);
     return ahead > (limited->steps < many ? EM_HUNDREDTH * (double)many : least);

@@ -7,14 +7,14 @@
 static int em_begin(em_run_state *w);
 
 /* Whether rows may be dependent in some modes, because cones stick. */
-static int em_may_share(const em_run_state *w) { return w->of->cones && w->requested_least_norm != EM_REFUSED; }
+static int em_may_share(const em_run_state *w) { return w->dynamics->cones && w->requested_least_norm != EM_REFUSED; }
 
 /* run->least_norm <- for the current mode. 0, or -1 and w->reason. */
 static int em_share_in_mode(em_run_state *w, const double *y) {
     const int m = w->n_rows;
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
     if (!em_may_share(w) || w->base_least_norm) return 0;
-    if (w->of->rows(w->t, y, w->run->prepared, B, Delta, &w->reason)) return -1;
+    if (w->dynamics->rows(w->t, y, w->run->prepared, B, Delta, &w->reason)) return -1;
     w->run->least_norm = em_rank(m, Delta) < m ? EM_SHARED : EM_REFUSED;
     return 0;
 }
@@ -42,11 +42,11 @@ static int em_apply_events(em_run_state *w, double t, double *row) {
     memset(c, 0, sizeof c);
     memcpy(x, row, sizeof x);
     memcpy(c, run->prepared, (size_t)w->model->n_prepared * sizeof *c);
-    if (w->of->velocity(0, t, row, c, v, &w->reason)) return -1;
+    if (w->dynamics->velocity(0, t, row, c, v, &w->reason)) return -1;
     em_signals(w, t);
     const em_act_limits within = {w->rtol, run->atol, w->rounding, &w->depth, w->rate_shift};
     const int least_norm = run->least_norm || em_may_share(w) ? EM_LEAST_NORM : 0;
-    if (w->of->act(t, x, v, c, w->u, least_norm, &within, w->fired, w->pile, &w->reason)) return -1;
+    if (w->dynamics->act(t, x, v, c, w->u, least_norm, &within, w->fired, w->pile, &w->reason)) return -1;
     w->t = t;
     return em_segment_begin(w, c) || em_share_in_mode(w, x) || w->model->state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
 }

@@ -27,7 +27,7 @@ static int em_enter(em_run_state *w) {
     run->least_norm = em_choose_dependent(w);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     w->base_least_norm = run->least_norm;
-    if (w->of->act != NULL && em_first_segment(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    if (w->dynamics->act != NULL && em_first_segment(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_enter_mode(w);
     if (settled < 0) memcpy(w->y, run->y_start, (size_t)w->n_state * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
@@ -98,7 +98,7 @@ static void em_commit(em_run_state *w) {
     }
     w->fresh = 0;
     w->depth = 0.0;
-    if (w->of->act != NULL) memset(w->rate_shift, 0, (size_t)w->n_rows * sizeof *w->rate_shift);
+    if (w->dynamics->act != NULL) memset(w->rate_shift, 0, (size_t)w->n_rows * sizeof *w->rate_shift);
 }
 
 /* Recomputes rates and event values where the rates have jumped, at the start of another smooth interval. */

@@ -20,7 +20,7 @@
  * or -1 and w->reason. */
 static int em_measure_constraints(em_run_state *w, double *Delta) {
     double B[w->n_rows * w->n];
-    if (w->of->rows(w->t_new, w->y_new, w->run->prepared, B, Delta, &w->reason)) return -1;
+    if (w->dynamics->rows(w->t_new, w->y_new, w->run->prepared, B, Delta, &w->reason)) return -1;
     for (int row = 0; row < w->n_rows; ++row)
         w->longest[row] = em_max(w->longest[row], Delta[row * w->n_rows + row]);
     return 0;
@@ -57,7 +57,7 @@ EM_COLD_PATH EM_NOINLINE int em_fail_weakest(em_run_state *w, double size) {
 static int em_check_dependent(em_run_state *w) {
     double a[w->n], lambda[em_some(w->n_rows)];
     if (w->n_inputs > 0) em_signals(w, w->t_new);
-    return w->of->acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
+    return w->dynamics->acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
 }
 
 /* The distance of q (n) from `other` in tolerances. */
@@ -118,11 +118,11 @@ static int em_check_branch(em_run_state *w, const double *Delta) {
  * small later in the motion. 0, or -1 and w->reason. */
 static int em_check_factors(em_run_state *w) {
     enum { DRIFTED = 1000 }; /* in tolerances */
-    if (w->of->worst_factors == NULL || w->run->stabilise) return 0;
+    if (w->dynamics->worst_factors == NULL || w->run->stabilise) return 0;
     double M[w->n * w->n];
     int first = -1;
-    w->of->factored(w->t_new, w->y_new, w->run->prepared, M);
-    const double error = w->of->worst_factors(M, w->y_new, &first);
+    w->dynamics->factored(w->t_new, w->y_new, w->run->prepared, M);
+    const double error = w->dynamics->worst_factors(M, w->y_new, &first);
     if (!(error <= DRIFTED * w->rtol)) return em_fail(&w->reason, EM_FACTORS_DRIFTED, first, -1, error);
     return 0;
 }

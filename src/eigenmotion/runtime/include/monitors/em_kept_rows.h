@@ -51,7 +51,7 @@ static int em_keep_constraints(em_run_state *w, double t, const double *x) {
     double B[em_some(m * w->n)], Delta[em_some(m * m)];
     int kept;
     if (m == 0 || w->bare) return 0;
-    if (w->of->rows(t, x, w->run->prepared, B, Delta, &w->reason)) return -1;
+    if (w->dynamics->rows(t, x, w->run->prepared, B, Delta, &w->reason)) return -1;
     const int rank = em_independent_rows(m, Delta, EM_DEPENDENT, &kept);
     if (kept && rank < w->n_rows && (w->run->stabilise || w->rank == 0) && em_check_dropped(w, B, kept)) return -1;
     if (w->rank == 0) w->rank = rank;
@@ -70,7 +70,7 @@ static int em_keep_constraints_at_start(em_run_state *w) {
     double x[w->n];
     if (w->bare) return 0;
     memcpy(x, w->y, sizeof x);
-    if (w->n_positions > 0 && w->of->reach(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
+    if (w->n_positions > 0 && w->dynamics->reach(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
     return em_keep_constraints(w, w->t, x);
 }
 

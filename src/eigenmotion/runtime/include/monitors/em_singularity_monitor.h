@@ -11,7 +11,7 @@
 #define EM_NEAR_START 300.0 /* within this many tolerances of the start, M must be resolved, or every step is checked */
 #define EM_LOOSE 1e-5      /* rtol above which long steps are checked, too, because their error may be small by chance;
                               implicit steps are always checked, because they need not be short there */
-#define EM_PARTS 8         /* if a half of the step is not resolved, the number of parts that are examined */
+#define EM_EXAMINED_PARTS 8         /* if a half of the step is not resolved, the number of parts that are examined */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 or more within one of the parts next to a */
 
 /* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No square roots. */
@@ -30,12 +30,12 @@ EM_INLINE void em_pivots_of(int n, double *M, double *pivots, double *diagonal) 
 
 /* The same of M at x; for small M by loops that unroll. */
 static void em_monitored_pivots(const em_run_state *w, double t, const double *x, double *pivots, double *diagonal) {
-    if (w->of->pivots) {
-        w->of->pivots(t, x, w->run->prepared, pivots, diagonal);
+    if (w->dynamics->pivots) {
+        w->dynamics->pivots(t, x, w->run->prepared, pivots, diagonal);
         return;
     }
     double M[w->n * w->n];
-    w->of->factored(t, x, w->run->prepared, M);
+    w->dynamics->factored(t, x, w->run->prepared, M);
     switch (w->n) {
         case 1: em_pivots_of(1, M, pivots, diagonal); break;
         case 2: em_pivots_of(2, M, pivots, diagonal); break;
@@ -123,7 +123,7 @@ EM_NOINLINE int em_measure_pivots(em_run_state *w) {
 
 EM_NOINLINE int em_measure_pivots_across(em_run_state *w) {
     if (em_first_unresolved_in_parts(w, 2, EM_RESOLVED) < 0) return 0;
-    const int lost = em_first_unresolved_in_parts(w, EM_PARTS, EM_CROSSED);
+    const int lost = em_first_unresolved_in_parts(w, EM_EXAMINED_PARTS, EM_CROSSED);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, EM_NEARLY_SINGULAR, NAN);
 }
 

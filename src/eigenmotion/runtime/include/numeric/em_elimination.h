@@ -15,10 +15,10 @@
 /* Attribute of a function that is also compiled for vectors of four and fused multiply-adds, if the processor may
  * have them. */
 #if defined(__x86_64__) && defined(__GNUC__)
-#define EM_WIDE __attribute__((target("avx2,fma")))
+#define EM_FOR_AVX2 __attribute__((target("avx2,fma")))
 #define EM_IS_WIDE (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
 #else
-#define EM_WIDE
+#define EM_FOR_AVX2
 #define EM_IS_WIDE 0
 #endif
 

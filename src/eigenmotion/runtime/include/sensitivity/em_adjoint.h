@@ -85,7 +85,7 @@ EM_INLINE void em_pull_step(const em_pass *p, const em_map *map, em_adjoint *by)
     em_add_transposed(tape, s.F, kappa + size, 0.0, by);
 }
 
-EM_WIDE static void em_pull_wide(const em_pass *p, const em_map *map, em_adjoint *by) { em_pull_step(p, map, by); }
+EM_FOR_AVX2 static void em_pull_wide(const em_pass *p, const em_map *map, em_adjoint *by) { em_pull_step(p, map, by); }
 static void em_pull_narrow(const em_pass *p, const em_map *map, em_adjoint *by) { em_pull_step(p, map, by); }
 
 /* The transpose of a matrix. */

@@ -7,9 +7,9 @@
 #define EM_MOST_LENGTH 2.0 /* bound on the length of a step here, relative to initial_steps: features that the run has
                               resolved matter */
 #define EM_LEAST_CUT 0.6   /* the smallest part of its length to which a step is cut to end with a step of the run */
-#define EM_FEW 3.0         /* steps of a way, of which one is worth saving */
+#define EM_FEW_STEPS 3.0   /* steps of a way, of which one is worth saving */
 #define EM_STRETCH 1.1     /* of the length that an error suggests: the error stays below one, if it is as predicted */
-#define EM_SAME_ROW 1e-6   /* of a step: a row that is nearer to its start is there */
+#define EM_AT_ROW 1e-6     /* of a step: a row that is nearer to its start is there */
 #define EM_NO_STEP 1e-2    /* of a step: a part that is not worth a step of its own */
 #define EM_MOTION_ITERATIONS 4     /* iterations of Newton's method for a step's own motion */
 #define EM_JUMP_TOLERANCES 100.0   /* in tolerances: apparent jumps of the accelerations of a smooth motion */
@@ -25,20 +25,20 @@ static int em_is_finite(size_t count, const double *a) {
     return 1;
 }
 
-EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
+EM_FOR_AVX2 static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
 static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
-EM_WIDE static em_step_errors em_error_wide(em_pass *p, double h, const double *K_rounding) {
+EM_FOR_AVX2 static em_step_errors em_error_wide(em_pass *p, double h, const double *K_rounding) {
     return em_step_error(p, h, K_rounding);
 }
 static em_step_errors em_error_narrow(em_pass *p, double h, const double *K_rounding) { return em_step_error(p, h, K_rounding); }
-EM_WIDE static em_step_errors em_forcing_error_wide(em_pass *p) { return em_forcing_error(p); }
+EM_FOR_AVX2 static em_step_errors em_forcing_error_wide(em_pass *p) { return em_forcing_error(p); }
 static em_step_errors em_forcing_error_narrow(em_pass *p) { return em_forcing_error(p); }
 EM_INLINE void em_begin_rates(em_pass *p) {
     em_rates_of(p, p->J0, p->S0, p->K0);
     em_sum_terms(p, p->J0, p->S0, p->T0);
     if (em_has_shifts(p)) em_add_rates_of_shifts(p, p->J0, p->drive0, p->z + p->n, p->a0, p->K0);
 }
-EM_WIDE static void em_begin_wide(em_pass *p) { em_begin_rates(p); }
+EM_FOR_AVX2 static void em_begin_wide(em_pass *p) { em_begin_rates(p); }
 static void em_begin_narrow(em_pass *p) { em_begin_rates(p); }
 
 /* S0 <- S, the directions at the start of a step at t, with z, a0, J0 known. */
@@ -168,7 +168,7 @@ static int em_is_on_the_way(const em_pass *p, double from, double last, double l
 /* The length of steps over the rest of a way: longer than their error suggests, where that saves one of few. */
 static double em_stretched(double length, double rest, double most) {
     const double parts = ceil(rest / length) - 1.0, longer = rest / parts;
-    return (parts >= 1.0 && parts < EM_FEW) && longer <= fmin(EM_STRETCH * length, most) ? longer : length;
+    return (parts >= 1.0 && parts < EM_FEW_STEPS) && longer <= fmin(EM_STRETCH * length, most) ? longer : length;
 }
 
 /* The end of the next step to `last`, of about this length: the end of a step of the run, if one is nearly as far. The
@@ -184,7 +184,7 @@ static double em_end_towards(const em_pass *p, double from, double last, double 
     if (em_is_on_the_way(p, from, last, length, other)) return other;
     const double to = from + p->of->direction * (length > rest / 2.0 ? rest / 2.0 : length);
     const double least = run->dense_steps[em_dense_at(run, to)].t, part = p->of->direction * (least - from);
-    const int costs_one = rest <= EM_FEW * length && ceil((rest - part) / length) >= ceil(rest / length);
+    const int costs_one = rest <= EM_FEW_STEPS * length && ceil((rest - part) / length) >= ceil(rest / length);
     return part > EM_LEAST_CUT * fabs(to - from) && !costs_one ? least : to;
 }
 
@@ -195,7 +195,7 @@ static double em_next_end(const em_pass *p, double from, double last, int *withi
     const double most = fabs(em_dense_beyond(w->run, from, EM_MOST_LENGTH * w->initial_steps) - from);
     const double length = fmin(p->h, most), rest = fabs(last - from), longest = fmin(length, rest);
     const double with_rows = fmin(p->h_within, most);
-    const size_t row = em_next_row(p, from, EM_SAME_ROW * longest);
+    const size_t row = em_next_row(p, from, EM_AT_ROW * longest);
     const double next = em_distance_of_row(p, from, row), second = em_distance_of_row(p, from, row + 1);
     const int dense = second <= longest || next < EM_NO_STEP * longest || rest - next < EM_NO_STEP * longest;
     *within = next < rest && (dense || with_rows >= longest);

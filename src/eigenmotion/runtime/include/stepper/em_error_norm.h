@@ -28,7 +28,7 @@ EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const d
 
 /* Weights of eigenfactors, which contribute where nothing settles them: C is of order one, s scales with itself. */
 EM_NOINLINE void em_weigh_factors(em_run_state *w, const double *before, const double *after) {
-    const int count[] = {w->of->n_C, w->of->n_s, w->of->n_C_delta, w->of->n_s_delta};
+    const int count[] = {w->dynamics->n_C, w->dynamics->n_s, w->dynamics->n_C_delta, w->dynamics->n_s_delta};
     for (int part = 0, k = 2 * w->n, end = k; part < 4; ++part)
         for (end += count[part]; k < end; ++k) {
             const double size = part % 2 == 0 ? 1.0 : em_max(fabs(before[k]), fabs(after[k]));

@@ -32,8 +32,8 @@ EM_COLD_PATH EM_NOINLINE int em_locate_failure(em_run_state *w, double t, const 
     if (em_undefined(w->model, t, y, w->run->prepared, &w->reason)) return -1;
     const int n = w->n;
     double M[n * n], before[n * n];
-    w->of->factored(t, y, w->run->prepared, M);
-    w->of->factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    w->dynamics->factored(t, y, w->run->prepared, M);
+    w->dynamics->factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
     if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
     for (int k = 0; k < n * n; k += n + 1)
         if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))

@@ -57,13 +57,13 @@ EM_INLINE int em_rhs(em_run_state *w, int mode, double t, const double *y, doubl
     if (mode == EM_MOTION && !em_carries_motion(w->model)) return em_motion_rate_here(w, t, y, dy);
     ++run->n_rhs;
     t = em_clock(w, t);
-    return w->of->rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason)
+    return w->dynamics->rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason)
                ? em_locate_failure(w, t, y) : 0;
 }
 
 /* v (n) <- xdot. 0, or -1 and *fault */
 static int em_xdot(const em_run_state *w, int mode, double t, const double *y, double *v, em_fault *fault) {
-    if (mode != EM_MOTION) return w->of->velocity(mode, t, y, w->run->prepared, v, fault);
+    if (mode != EM_MOTION) return w->dynamics->velocity(mode, t, y, w->run->prepared, v, fault);
     memcpy(v, y + w->n, (size_t)w->n * sizeof *v);
     return 0;
 }
@@ -74,7 +74,7 @@ EM_INLINE int em_is_velocity_error(const em_run_state *w) { return w->mode == EM
 /* ev (n) <- the error of xdot that follows from an error e (n) of y[n .. 2 n) */
 static void em_velocity_error(const em_run_state *w, const double *e, double *ev) {
     if (em_is_velocity_error(w)) memcpy(ev, e, (size_t)w->n * sizeof *ev);
-    else w->of->velocity_error(w->mode, w->y, w->run->prepared, w->memory, e, ev);
+    else w->dynamics->velocity_error(w->mode, w->y, w->run->prepared, w->memory, e, ev);
 }
 
 /* row (n_state) <- y in the published meaning. 0, or -1 and *fault */
@@ -131,7 +131,7 @@ EM_INLINE int em_stage_rate(void *run_state, const double *t, const double *y, d
     em_run *const run = w->run;
     if (!w->plain) return em_any_stage_rate(w, *t, y, dy);
     ++run->n_rhs;
-    return w->of->rhs(w->mode, *t, y, run->prepared, w->u, w->memory, em_constraint_flags(run), dy, &w->reason)
+    return w->dynamics->rhs(w->mode, *t, y, run->prepared, w->u, w->memory, em_constraint_flags(run), dy, &w->reason)
                ? em_locate_failure(w, *t, y) : 0;
 }
 

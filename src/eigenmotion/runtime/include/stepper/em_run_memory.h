@@ -94,13 +94,13 @@ static void em_lay_out(em_run_state *w, em_layout *at) {
 static void em_run_state_sizes(em_run_state *w, const em_model *model) {
     static const em_lanes none = {0};
     w->model = model;
-    w->of = model->dynamics;
+    w->dynamics = model->dynamics;
     w->lanes = model->lanes ? model->lanes : &none;
     w->n = model->n, w->n_rows = model->m, w->n_positions = model->h, w->n_state = model->n_state;
     w->width = (model->n_state + EM_PACK - 1) / EM_PACK * EM_PACK;
     w->stride = em_padded(model->n);
-    w->n_inputs = model->n_inputs, w->n_events = model->n_events, w->n_memory = w->of->n_memory;
-    w->second_order = w->of->second_order, w->bare = em_is_bare(model), w->first_rate = w->second_order ? w->n : 0;
+    w->n_inputs = model->n_inputs, w->n_events = model->n_events, w->n_memory = w->dynamics->n_memory;
+    w->second_order = w->dynamics->second_order, w->bare = em_is_bare(model), w->first_rate = w->second_order ? w->n : 0;
 }
 
 /* A zeroed run state with its tables, aligned to cache lines; or NULL. */

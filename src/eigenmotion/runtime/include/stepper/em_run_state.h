@@ -168,7 +168,7 @@ struct em_run_state {
     int plain;                                 /* whether the stages of the step are (em_is_plain) */
     em_run *run;                               /* from here on: belongs to the process, not to the motion */
     const em_model *model;
-    const em_dynamics *of;                     /* functions of the model's state */
+    const em_dynamics *dynamics;               /* functions of the model's state */
     const em_lanes *lanes;                     /* of the model; width 0 if there are none */
     int n, n_rows, n_positions, n_state, width, n_inputs, n_events, n_memory; /* width: n_state, padded */
     int stride;                                /* n, padded */
