@@ -83,7 +83,7 @@ docs: $(DOCS) $(WORKED) $(SHOWN)
 	@echo "the site: build/site/index.html"
 
 # Photographs to look at of every page of the site, of each model's page, and of reports: 1400 and 400 pixels wide, light
-# and dark; PYTEST_ARGS="-k four_bar" takes some. Their faults end it, as far as they can be found without eyes
+# and dark; PYTEST_ARGS="-k four_bar" takes some. Their faults end it, as far as a program can detect them
 screenshots: docs
 	$(BIN)/pytest -q -m "" tests/docs/test_site_looks.py tests/export/test_page_looks.py --site=build/site \
 	    --screenshots=$(SCREENSHOTS) $(PYTEST_ARGS)
