@@ -1,5 +1,7 @@
 """Derivatives of whole motions, against closed forms, differences of runs, and through jumps of forces."""
 
+import signal
+
 import mpmath
 import numpy as np
 import pytest
@@ -9,6 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion import ModelError
 from eigenmotion.runtime.variations import constraint_partials
+from eigenmotion.simulation.sensitivity import sensitivities
 
 from ..oracles import Lagrange
 from ..support.generation import system_for, system_of
@@ -235,3 +238,25 @@ def test_of_a_run_that_ends_at_a_reset_off_its_constraints():
     assert run.stop is em.StopReason.RESET_OFF
     more, less = (system.simulate((0.0, 3.0), parameters={"g": 2.0 + d}, **TIGHT).t_events[0] for d in (1e-5, -1e-5))
     assert run.sensitivity["g"].dt_events[0] == pytest.approx((more - less) / 2e-5, rel=1e-6)
+
+
+@pytest.mark.parametrize("error", [TimeoutError, KeyboardInterrupt])
+def test_exceptions_of_signal_handlers_are_raised(monkeypatch, error):
+    """While directions are integrated, which takes most of the time: a deadline was taken for Ctrl-C."""
+
+    def complain(*_: object) -> None:
+        raise error
+
+    class Interrupted(sensitivities.Variations):
+        def integrate(self):
+            signal.setitimer(signal.ITIMER_REAL, 0.05)
+            return super().integrate()
+
+    monkeypatch.setattr(sensitivities, "Variations", Interrupted)
+    before = signal.signal(signal.SIGALRM, complain)
+    try:
+        with pytest.raises(error):
+            system_of("dual_link").simulate((0.0, 3e2), t_eval=[3e2], sensitivities=["K1"], **TIGHT)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)

@@ -53,8 +53,7 @@ cdef class PartialRun(Run):
         self.run.max_steps = min(steps, self.most_steps - self.run.n_steps)
         with nogil:
             self.run.model.advance(self.state, end, 0)
-        if self.pending is not None:
-            raise self.pending
+        self.raise_pending(False)
         return <int> self.run.fault.status == _TOO_MANY and self.run.n_steps < self.most_steps
 
     cdef mode(self):

@@ -69,8 +69,7 @@ cdef class IncrementalRun(Run):
         if self.run.waits and not self.part.over:
             self.change_while_it_waits(self.part.state, t, self.part.most_steps)
             self.part.over = self.run.fault.status != 0
-        if self.pending is not None:
-            raise self.pending
+        self.raise_pending(False)
         return not self.part.over
 
     def set(self, Py_ssize_t place, double value):
@@ -152,8 +151,7 @@ cdef class IncrementalRuns:
                 continue
             self.parts[k].reported = True
             run = self.runs[k]
-            if run.pending is not None:
-                raise run.pending
+            run.raise_pending(False)
             indices.append(k)
         return indices
 

@@ -4,13 +4,21 @@ from .abi cimport em_rows, em_run, em_signal
 from .point cimport PointModel
 
 
-cdef class Run:
+cdef int poll(void *argument) noexcept with gil
+
+
+cdef class Interruptible:
+    cdef object pending   # exception raised by a signal handler
+
+    cdef int raise_pending(self, bint keyboard_too) except -1
+
+
+cdef class Run(Interruptible):
     cdef em_run run
     cdef em_signal *signals
     cdef readonly PointModel model
     cdef readonly object stop
     cdef list keep_alive  # arrays that the run uses
-    cdef object pending   # exception raised by a signal handler
     cdef readonly object unchanged  # why the run has kept its method, although another costs less: an exception, or None
 
     cdef begin(self, task, int method)

@@ -21,20 +21,28 @@ cdef object _FINISHED = StopReason.FINISHED
 cdef str _FINISHED_MESSAGE = explain(StopReason.FINISHED, ())
 
 
+cdef class Interruptible:
+    """What calls compiled code that calls `poll` from time to time, with this object as its argument."""
+
+    cdef int raise_pending(self, bint keyboard_too) except -1:
+        """Raise the exception of a signal handler that ended the compiled code; KeyboardInterrupt only if told so."""
+        error, self.pending = self.pending, None
+        if error is not None and (keyboard_too or not isinstance(error, KeyboardInterrupt)):
+            raise error
+        return 0
+
+
 cdef int poll(void *argument) noexcept with gil:
-    """Non-zero if a signal handler raised an exception. Other exceptions than KeyboardInterrupt are raised after the run."""
-    cdef Run run = <Run> argument
+    """Non-zero if a signal handler raised an exception, which is raised again when the compiled code has returned."""
+    cdef Interruptible of = <Interruptible> argument
     try:
         PyErr_CheckSignals()
-    except KeyboardInterrupt:
-        return 1
     except BaseException as error:
-        run.pending = error
-        return 1
-    return 0
+        of.pending = error
+    return of.pending is not None
 
 
-cdef class Run:
+cdef class Run(Interruptible):
     """One compiled run; its results live as long as this object.
 
     Parameters
@@ -65,8 +73,7 @@ cdef class Run:
         else:
             with nogil:
                 self.run.model.simulate(&self.run)
-        if self.pending is not None:
-            raise self.pending
+        self.raise_pending(False)
         self.stop = _REASONS[<int> self.run.fault.status]
 
     cdef may_change(self, int other):

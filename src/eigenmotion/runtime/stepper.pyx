@@ -4,7 +4,6 @@
 from hashlib import blake2b
 
 from cpython.bytes cimport PyBytes_AS_STRING, PyBytes_FromStringAndSize
-from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport isfinite
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy, memset
@@ -14,6 +13,7 @@ from .arrays cimport Numbers, floats, zeros
 from .control cimport em_stepper, em_stepper_advance, em_stepper_close, em_stepper_open, em_stepper_restore
 from .control cimport em_stepper_save, em_stepper_size
 from .point cimport PointModel, Prepared
+from .run cimport Interruptible, poll
 
 from .status.stop_reasons import MAYBE_UNDEFINED, EvaluationError, StopReason, explain
 
@@ -23,17 +23,7 @@ cdef enum:
     TAG = 16  # bytes
 
 
-cdef int poll(void *argument) noexcept with gil:
-    """Non-zero if a signal handler raised an exception, which is raised again after the advance."""
-    try:
-        PyErr_CheckSignals()
-    except BaseException as error:
-        (<Steps> argument).pending = error
-        return 1
-    return 0
-
-
-cdef class Steps:
+cdef class Steps(Interruptible):
     """One em_stepper.
 
     Parameters
@@ -52,7 +42,6 @@ cdef class Steps:
     cdef readonly int number
     cdef dict places
     cdef list keep_alive
-    cdef object pending
     cdef bytes tag
     cdef bint busy
 
@@ -184,9 +173,7 @@ cdef class Steps:
             failed = em_stepper_advance(self.steps, there, u)
         self.busy = False
         if failed:
-            if self.pending is not None:
-                pending, self.pending = self.pending, None
-                raise pending
+            self.raise_pending(True)
             raise self.failure()
 
     @property

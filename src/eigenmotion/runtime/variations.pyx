@@ -4,7 +4,6 @@
 At one state, and integrated along the rows of a run (em_variations.h).
 """
 
-from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
@@ -12,7 +11,7 @@ from libc.string cimport memcpy
 from .abi cimport em_fault, em_model, em_pile, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, floats, zeros
 from .point cimport PointModel, Prepared
-from .run cimport Run
+from .run cimport Interruptible, Run, poll
 
 import numpy as np
 
@@ -85,7 +84,6 @@ cdef extern from "sensitivity/em_adjoint.h" nogil:
     void em_pull(const em_pass *, em_adjoint *)
 
 
-_REASONS = tuple(StopReason)
 _END_MESSAGES = (
     "", "{} and {} act at once, and which of them is first depends on what is varied",
     "{} only touches zero, so that whether it happens depends on what is varied",
@@ -99,14 +97,6 @@ _END_MESSAGES = (
     "{} stops while its slip turns so fast that derivatives of when it stops are not known (smaller rtol and "
     "atol follow the slip further)",
 )  # of em_variation_pass.h
-
-
-cdef int poll(void *argument) noexcept with gil:
-    try:
-        PyErr_CheckSignals()
-    except BaseException:
-        return 1
-    return 0
 
 
 # --- derivatives with respect to the arguments (n_arguments): x, v, inputs, parameters, time ---
@@ -246,7 +236,7 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
     return q.array, w.array, after, made.array
 
 
-cdef class Variations:
+cdef class Variations(Interruptible):
     """An integration of directions S (2 n, columns) from the first of `stops` along a run with dense output.
 
     See em_variations.h. The directions of inputs, parameters and time are P (n_forcing, columns).
@@ -289,7 +279,7 @@ cdef class Variations:
         of.t_rows, of.P = self.hold(rows, (len(rows),)), self.hold(P, (of.n_forcing, columns))
         self.hold_marks(_whole(stops[2], np.int_), _whole(marks[0], np.int_), _whole(marks[1], np.intc))
         self.hold_results(S, _unknown(k, 2 * n, columns), _unknown(n_marks, columns), _unknown(len(rows), 2 * n, columns))
-        of.poll, of.poll_argument, of.t_reached = poll, NULL, of.t[0]
+        of.poll, of.poll_argument, of.t_reached = poll, <void *> self, of.t[0]
 
     def __dealloc__(self):
         free(self.signals)
@@ -323,8 +313,7 @@ cdef class Variations:
         """The error of an integration, or None."""
         if status == 0:
             return None
-        if _REASONS[<int> of.fault.status] is StopReason.INTERRUPTED:
-            raise KeyboardInterrupt
+        self.raise_pending(True)
         if not of.why:
             return self.model.failure(<em_fault *> &of.fault)
         events = [repr(self.model.events[k]) for k in (of.fault.first, of.fault.second) if k >= 0]
