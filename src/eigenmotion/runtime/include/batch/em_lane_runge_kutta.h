@@ -196,19 +196,21 @@ EM_INLINE em_truth em_group_leaves_chart(EM_UNUSED const em_lane_state *w) {
  * be near (em_singularity_monitor.h), and steps at which the energy, a row, the end or a change of rotation parameters
  * is due. */
 EM_INLINE em_truth em_group_needs_check(const em_lane_group *f, const em_lane_state *w, em_truth accepted) {
-    em_truth brief = accepted & ((fabs(*w->h) < EM_CHECKED_STEP * *w->longest) | (*w->retries > 0.0));
+    em_truth unresolved = accepted & ((fabs(*w->h) < EM_CHECKED_STEP * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
-    if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
+    if (em_any(unresolved)) unresolved &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
 #endif
-    return brief | em_group_leaves_chart(w) | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_check) |
+    return unresolved | em_group_leaves_chart(w) | (*w->longest == 0.0) |
+           (*w->n_rhs + (double)EM_GROUP_STAGES >= *w->next_check) |
            (f->direction * (*w->t_new - *w->t_check) >= 0.0);
 }
 
 /* -1 in lanes whose run the scalar code must repeat from its start: a step is not finite, or settling moved it far
  * (em_monitors.h), or steps become too short or too many. */
-EM_INLINE em_truth em_group_lost(const em_lane_group *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
-    return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_group_least(*w->t))) |
-           (small & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
+EM_INLINE em_truth em_group_lost(const em_lane_group *f, const em_lane_state *w, const em_attempts *found,
+                                 em_truth accepted) {
+    return ~found->sound | (accepted & (found->moved > 10.0)) | (~accepted & (*w->h_next < em_group_least(*w->t))) |
+           (accepted & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
 }
 
 /* Makes the end of a step the start of the next, in lanes that took it. */
@@ -241,17 +243,18 @@ EM_INLINE em_truth em_group_live(const em_lane_group *f) {
 static void em_group_step(em_lane_group *f, em_lane_state *w) {
     em_group_aim(f, w);
     const em_attempts found = em_group_attempt(f, w);
-    const em_truth small = found.sound & (*w->error < 1.0), live = em_group_live(f);
-    const em_truth due = f->check_always ? small : small & (em_group_needs_check(f, w, small) | ~found.settled);
+    const em_truth accepted = found.sound & (*w->error < 1.0), live = em_group_live(f);
+    const em_truth needs_check =
+        f->check_always ? accepted : accepted & (em_group_needs_check(f, w, accepted) | ~found.settled);
     *w->h_next = fabs(*w->h) * found.factor;
-    *w->last_error = em_where(small, em_max(found.error, em_real(EM_LEAST_ERROR)), *w->last_error);
-    const em_truth lost = em_group_lost(f, w, &found, small), checked = live & (lost | due);
+    *w->last_error = em_where(accepted, em_max(found.error, em_real(EM_LEAST_ERROR)), *w->last_error);
+    const em_truth lost = em_group_lost(f, w, &found, accepted), checked = live & (lost | needs_check);
     em_truth stays = live & ~checked;
     for (int lane = 0; lane < EM_LANES && em_any(checked); ++lane) {
         const em_lane_outcome outcome = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
         if (checked[lane] && f->check_step(f, lane, outcome) == 0) stays[lane] = -1;
     } /* if its run does not continue, the lane now holds another member, or none */
-    em_group_commit(w, stays, stays & small);
+    em_group_commit(w, stays, stays & accepted);
 }
 
 /* Makes steps as long as the group has members and does not yield to the other group; f->check_step loads members into

@@ -13,7 +13,7 @@ static int em_detect_events(em_run_state *w) {
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
     const int count = em_screen_event(w, screened);
     em_events_at_end(w, end);
-    if (w->fresh && em_begin_sides(w, count, screened)) return -1;
+    if (w->new_segment && em_begin_sides(w, count, screened)) return -1;
     memcpy(w->side_new, w->side, (size_t)w->n_events * sizeof *w->side);
     for (int i = 0; i < w->n_events; ++i) {
         if (!em_may_cross(w, count, screened, i) && end[i] * w->side[i] >= 0.0) continue;

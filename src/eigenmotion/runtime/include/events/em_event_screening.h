@@ -61,7 +61,7 @@ static int em_may_cross(const em_run_state *w, int count, const double *g, int i
  * side by side, or of successive impacts. */
 static int em_is_touching(const em_run_state *w, int i) {
     const int through = w->run->event_direction[i];
-    return w->fresh != EM_FIRST_SEGMENT && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
+    return w->new_segment != EM_FIRST_SEGMENT && em_keeps_apart(w, i) && w->side[i] != through && em_side_of(w->g[i], 0.0) == through;
 }
 
 /* Whether an impact leaves its bodies inside each other by more than a start may be: flights that are shorter than the
@@ -88,7 +88,7 @@ static int em_begin_sides(em_run_state *w, int count, const double *g) {
         double size = fabs(w->g_new[i]);
         for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j * w->n_events + i]));
         const double rounding = w->noise[i] + (isfinite(size) ? EM_INPUT_ROUNDING * size : 0.0);
-        const int meant = w->fresh == EM_FIRST_SEGMENT || w->fired[i], touches = em_is_touching(w, i);
+        const int meant = w->new_segment == EM_FIRST_SEGMENT || w->fired[i], touches = em_is_touching(w, i);
         const int side = em_side_of(w->g[i], meant ? em_max(rounding, w->zero[i]) : rounding);
         if (touches) w->side[i] = 0;
         else if (meant || side) w->side[i] = side;

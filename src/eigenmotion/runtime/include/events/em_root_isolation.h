@@ -149,7 +149,7 @@ static int em_enters(const em_run_state *w, int i, double g) {
  * slowly as t^3 needs a shorter step. */
 static int em_first_step_too_long(const em_run_state *w, int i, double g) {
     enum { RETRIES = 10 };
-    return w->fresh == EM_NEXT_SEGMENT && em_is_contact_event(w, i) && w->retries < RETRIES && em_enters(w, i, g) &&
+    return w->new_segment == EM_NEXT_SEGMENT && em_is_contact_event(w, i) && w->retries < RETRIES && em_enters(w, i, g) &&
            em_side_of(g, w->quiet[i]) != 0;
 }
 

@@ -69,7 +69,7 @@ static void em_discard_history(em_run_state *w) {
     w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
     w->rank = w->near = w->run->kept = 0;
     w->next_energy_check = 0;
-    w->fresh = EM_NEXT_SEGMENT;
+    w->new_segment = EM_NEXT_SEGMENT;
 }
 
 static int em_append_after(em_run_state *w) {

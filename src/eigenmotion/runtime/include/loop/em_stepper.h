@@ -54,7 +54,7 @@ static void em_run_state_prepare(em_run_state *w) {
     memcpy(w->atol, run->atol, (size_t)w->n * sizeof *w->atol);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* a smaller tolerance cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.control.error_order + 1));
-    w->fresh = EM_FIRST_SEGMENT;
+    w->new_segment = EM_FIRST_SEGMENT;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
     w->inside[0] = -INFINITY, w->inside[1] = INFINITY;
@@ -96,7 +96,7 @@ static void em_commit(em_run_state *w) {
         em_copy_events(w, w->g, w->g_new);
         memcpy(w->side, w->side_new, (size_t)w->n_events * sizeof *w->side);
     }
-    w->fresh = 0;
+    w->new_segment = 0;
     w->depth = 0.0;
     if (w->dynamics->act != NULL) memset(w->rate_shift, 0, (size_t)w->n_rows * sizeof *w->rate_shift);
 }

@@ -111,7 +111,7 @@ static em_start_probe em_estimate_first_rates(em_run_state *w, double span) {
  * it may be soon: a step much longer than the time scale of damping would be too coarse for the flight. */
 static double em_size_without_rate(const em_run_state *w, const em_start_probe *at, double span) {
     const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
-    return w->fresh == EM_NEXT_SEGMENT ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
+    return w->new_segment == EM_NEXT_SEGMENT ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
 }
 
 /* The size of the first step, as in Hairer, Norsett & Wanner (II.4), but independent of the unit of time: a motion

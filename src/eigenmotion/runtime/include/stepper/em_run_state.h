@@ -158,7 +158,7 @@ struct em_run_state {
     int near;                                  /* whether stages are settled, because a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something other than the error limits the step size */
-    int acting, fresh;                         /* whether an event acts; EM_FIRST_SEGMENT or EM_NEXT_SEGMENT before the
+    int acting, new_segment;                   /* whether an event acts; EM_FIRST_SEGMENT or EM_NEXT_SEGMENT before the
                                                   first accepted step of a segment, else 0 */
     int begun, ended;                          /* the first step size is known; the run has ended, with run->fault */
     int refused;                               /* it ended because the motion cannot start */
