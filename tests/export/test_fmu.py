@@ -112,6 +112,25 @@ def test_parameters_start_and_outputs_by_their_names(units, tmp_path):
     assert unit.get("height of the tip")[0] == pytest.approx(run.outputs["height of the tip"][-1], abs=1e-7)
 
 
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_rows_that_depend_on_each_other_share_the_force(tmp_path, fmi):
+    """A bob on a rod that two rows hold: its swing, and by least norm a force in proportion to the rows."""
+    x, y = dynamicsymbols("x y")
+    rod = (x**2 + y**2 - 1) / 2
+    model = em.Model(name="twice_held", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                     potential_energy=9.81 * y, holonomic_constraints=[rod, 2 * rod], initial={x: 1e-4, y: -1 + 5e-9},
+                     outputs={"one": em.multiplier(0), "two": em.multiplier(1)})  # fmt: skip
+    unit = em.export_fmu(model, tmp_path / "unit.fmu", formulation="lagrange", fmi=fmi)
+    quarter = np.pi / 2 / np.sqrt(9.81)
+    for kind in ("CoSimulation", "ModelExchange"):
+        rows = fmpy.simulate_fmu(str(unit), stop_time=quarter, output_interval=quarter / 50, relative_tolerance=1e-9,
+                                 fmi_type=kind, output=["x", "y", "der(der(y))", "one", "two"])  # fmt: skip
+        assert np.abs(rows["x"] - 1e-4 * np.cos(np.sqrt(9.81) * rows["time"])).max() < 1e-8
+        assert rows["y"][-1] == pytest.approx(-1, abs=1e-8)
+        assert rows["one"][-1] == pytest.approx(9.81 / 5, rel=1e-6)
+        assert rows["two"] == pytest.approx(2 * rows["one"], rel=1e-9)
+
+
 def test_two_instances_know_nothing_of_each_other(units, tmp_path):
     one = Unit(units["furuta_pendulum"], tmp_path / "a").begin(u=0.01)
     two = Unit(units["furuta_pendulum"], tmp_path / "a", "two").begin(u=0.03)

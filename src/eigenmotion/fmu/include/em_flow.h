@@ -18,10 +18,11 @@
 /* Constraints are restored where that changes x or v by more than this part of rtol |x| + atol. */
 #define EM_FLOW_DRIFT 0.1
 
-/* All of a motion is in `numbers`, so that a copy of these is a copy of it. */
+/* All that changes in a motion is in `numbers`, so that a copy of these is a copy of it. */
 typedef struct em_flow {
     const em_model *model;
     double rtol;
+    int shares;                /* em_dependent: whether rows were redundant where it began */
     double *numbers;
     double *t, *x, *v;         /* 1; (n) */
     double *atol, *c;          /* (n); (n_prepared) */
@@ -74,7 +75,14 @@ static int em_flow_events(const em_flow *flow, const double *u, double *g, em_fa
 static int em_flow_rates(const em_flow *flow, const double *u, double *a, em_fault *fault) {
     const em_model *const m = flow->model;
     double lambda[m->m + 1];
-    return m->acceleration(*flow->t, flow->x, flow->v, flow->c, u, 0, a, lambda, fault);
+    return m->acceleration(*flow->t, flow->x, flow->v, flow->c, u, flow->shares, a, lambda, fault);
+}
+
+/* Chooses the treatment of dependent rows where it begins: as long as no mode changes, redundant rows stay so. */
+static void em_flow_choose_dependent(em_flow *flow) {
+    const em_model *const m = flow->model;
+    int rows[m->m + 1];
+    flow->shares = m->m > 0 && m->redundant(*flow->t, flow->x, flow->c, rows) ? EM_SHARED : EM_REFUSED;
 }
 
 static double em_flow_sign(double g) { return (g > 0.0) - (g < 0.0); }
@@ -133,7 +141,7 @@ static int em_flow_project(const em_flow *flow, double *x, double *v, double par
     const em_model *const m = flow->model;
     int moved = 0;
     if (m->m == 0) return 0;
-    if (m->project(*flow->t, x, v, flow->c, 0, fault)) return -1;
+    if (m->project(*flow->t, x, v, flow->c, flow->shares, fault)) return -1;
     for (int k = 0; k < m->n; ++k) {
         moved |= fabs(x[k] - flow->x[k]) > part * (flow->atol[k] + flow->rtol * fabs(x[k]));
         moved |= fabs(v[k] - flow->v[k]) > part * (flow->atol[k] + flow->rtol * fabs(v[k]));
@@ -199,7 +207,7 @@ static int em_flow_act(em_flow *flow, const double *u, int *fired, em_fault *fau
     double rounding[m->n_events + 1], depth = 0.0, shift[m->m + 1];
     const em_act_limits within = {flow->rtol, flow->atol, rounding, &depth, shift};
     memset(rounding, 0, sizeof rounding), memset(shift, 0, sizeof shift);
-    return m->dynamics->act(*flow->t, flow->x, flow->v, flow->c, u, 0, &within, fired, flow->pile, fault);
+    return m->dynamics->act(*flow->t, flow->x, flow->v, flow->c, u, flow->shares, &within, fired, flow->pile, fault);
 }
 
 /* Whether one of the events `fired` changes the motion. */

@@ -49,18 +49,19 @@ static void em_unit_close(em_unit *unit) {
 
 static int em_unit_is_open(const em_unit *unit) { return unit->stepper != NULL || unit->flow != NULL; }
 
-/* Where the motion is: time, state and constants. */
+/* Where the motion is: time, state and constants, and the treatment of dependent rows (em_dependent). */
 typedef struct em_place {
     double t;
     const double *x, *v, *c;
+    int shares;
 } em_place;
 
 /* Of one that is open. */
 static em_place em_unit_place(const em_unit *unit) {
     const em_stepper *const s = unit->stepper;
     const em_flow *const flow = unit->flow;
-    if (s != NULL) return (em_place){s->t, s->x, s->v, s->run.prepared};
-    return (em_place){*flow->t, flow->x, flow->v, flow->c};
+    if (s != NULL) return (em_place){s->t, s->x, s->v, s->run.prepared, s->run.least_norm};
+    return (em_place){*flow->t, flow->x, flow->v, flow->c, flow->shares};
 }
 
 /* Before initialisation: the time, and the tolerance or 0. */
@@ -114,7 +115,7 @@ static int em_unit_open_stepper(em_unit *unit, const double *c, const double *y,
     const em_unit_options *o = &unit->options;
     const em_run task = {.t_start = unit->t_start, .y_start = y, .prepared = c, .method = o->method, .rtol = unit->rtol,
                          .atol = atol, .first_step = o->step, .max_step = INFINITY, .max_steps = 1000000000,
-                         .stabilise = 1, .model = unit->model};
+                         .stabilise = 1, .least_norm = EM_SHARED_FROM_START, .model = unit->model};
     em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
     unit->stepper = em_stepper_open(unit->model, &task, em_unit_u(unit));
     if (unit->stepper != NULL) fault = unit->stepper->run.fault;
@@ -135,6 +136,7 @@ static int em_unit_open_flow(em_unit *unit, const double *c, const double *atol)
     em_unit_copy(flow->v, em_unit_v(unit), m->n);
     em_unit_copy(flow->atol, atol, m->n);
     em_unit_copy(flow->c, c, m->n_prepared);
+    em_flow_choose_dependent(flow);
     if (!em_flow_check_tables(flow, em_unit_u(unit), &fault) && !em_flow_begin(flow, em_unit_u(unit), &fault)) return 0;
     em_unit_close(unit);
     return em_unit_fail(unit, &fault);
@@ -214,8 +216,8 @@ static int em_unit_calculate(em_unit *unit, int group, double *out) {
     if (em_unit_open(unit)) return -1;
     const em_place at = em_unit_place(unit);
     double lambda[m->m + 1];
-    if (group == EM_OUTPUTS) failed = m->output(at.t, at.x, at.v, at.c, u, 0, out, &fault);
-    else if (group == EM_RATES) failed = m->acceleration(at.t, at.x, at.v, at.c, u, 0, out, lambda, &fault);
+    if (group == EM_OUTPUTS) failed = m->output(at.t, at.x, at.v, at.c, u, at.shares, out, &fault);
+    else if (group == EM_RATES) failed = m->acceleration(at.t, at.x, at.v, at.c, u, at.shares, out, lambda, &fault);
     else m->event(at.t, at.x, at.v, at.c, u, out);
     return failed ? em_unit_fail(unit, &fault) : 0;
 }
@@ -256,7 +258,7 @@ static int em_unit_changes(const em_unit *unit, const unsigned *unknown, size_t 
     const int reactions = m->n + m->m, arguments = m->n_arguments;
     double *const a = work, *const along = a + reactions, *const slopes = along + reactions;
     double *const D = slopes + reactions * arguments;
-    if (m->motion_derivatives(at.t, at.x, at.v, at.c, em_unit_u(unit), 0, a, a + m->n, slopes,
+    if (m->motion_derivatives(at.t, at.x, at.v, at.c, em_unit_u(unit), at.shares, a, a + m->n, slopes,
                               slopes + m->n * arguments, fault))
         return -1;
     if (m->n_outputs > 0) m->output_partials(at.t, at.x, at.v, a, a + m->n, at.c, em_unit_u(unit), D);
