@@ -192,6 +192,15 @@ def test_from_the_command_line(tmp_path, capsys, monkeypatch):
         assert words in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("name", "fmi"), [("x", 2), ("x", 3), ("time", 3)])
+def test_a_name_of_two_numbers_is_named(tmp_path, name, fmi):
+    x, mass = dynamicsymbols("x"), Symbol("time" if name == "time" else "mass")
+    model = em.Model(name="named", coordinates=[x], kinetic_energy=mass * x.diff() ** 2 / 2, parameters={mass: 1.0},
+                     outputs={"x": x**2} if name == "x" else {})  # fmt: skip
+    with pytest.raises(ModelError, match=f"named: two numbers of the unit have one name, {name}, "):
+        em.export_fmu(model, tmp_path / "unit.fmu", fmi=fmi, formulation="lagrange")
+
+
 def test_options_that_no_unit_has(tmp_path):
     for options, words in (
         ({"rtol": 0.0}, "rtol is 0.0"),

@@ -75,8 +75,9 @@ def _unit(name: str, texts: Mapping[str, str], content: Content, version: int) -
         _check_xml(name, variable.name)
     names = [*(variable.name for variable in content.variables), *(("time",) if version == 3 else ())]
     if len({*names}) < len(names):
-        raise ModelError(f"{name}: two of its numbers have one name, which FMI cannot tell apart: give each its "
-                         "own, outputs too")  # fmt: skip
+        twice = ", ".join(sorted({one for one in names if names.count(one) > 1}))
+        raise ModelError(f"{name}: two numbers of the unit have one name, {twice}, and FMI cannot tell them apart: "
+                         "give each its own, outputs too. In FMI 3.0 the time is a number, time.")  # fmt: skip
     described = map(repr, (version, *content.constants, *content.variables))
     digest = key(*(text for _, text in sorted(texts.items())), content.options, *described)
     return Unit(
