@@ -6,6 +6,8 @@ import signal
 
 import numpy as np
 import pytest
+import sympy
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import ModelError, Sampled, Signal, StopReason, System
@@ -302,3 +304,16 @@ def test_auto_takes_an_explicit_method_where_a_controller_is_to_be_asked():
 def test_a_function_as_an_input_is_told_what_to_be():
     with pytest.raises(em.ModelError, match=r"input 'u' is a function.*\(times, f\(times\)\).*em\.Sampled"):
         system_of("furuta_pendulum", "lagrange").simulate((0.0, 0.1), inputs={"u": lambda t: 0.0})
+
+
+def test_a_row_in_time_is_no_jump_where_a_run_began_at_a_time_event():
+    """The controller changes its input where nothing else happens; the force jumps at the start, and later."""
+    x, y, push = dynamicsymbols("x y push")
+    model = em.Model(name="begun", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                     holonomic_constraints=[y - sympy.sin(2 * em.t)], inputs={push: 0.0},
+                     forces={x: push + sympy.Mod(em.t, sympy.Rational(1, 2))}, initial={y.diff(): 2.0})  # fmt: skip
+    given = em.Sampled(lambda t, x, v: t, 0.25)
+    sol = em.simulate(em.build(model), (0.0, 1.0), inputs={"push": given}, rtol=1e-10)
+    assert sol.success
+    assert sol.v[0, -1] == pytest.approx(2 / 8 + 0.25 * (0.25 + 0.5 + 0.75), abs=1e-12)
+    assert sol.x[1] == pytest.approx(np.sin(2 * sol.t), abs=1e-12)

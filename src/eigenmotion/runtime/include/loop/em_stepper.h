@@ -38,6 +38,7 @@ static int em_enter(em_run_state *w) {
 static int em_begin(em_run_state *w) {
     em_run *run = w->run;
     if (em_enter_interval(w) < 0) return em_end_with(w, w->reason);
+    w->crosses = 0; /* a motion that begins at a time event begins after it */
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
     if (!em_all_finite(w, w->y) || !em_all_finite(w, w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
