@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from sympy import Rational, cos, sin, sqrt, symbols, tanh
+from sympy import Heaviside, Rational, cos, sin, sqrt, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -304,3 +304,24 @@ def test_never_ends_with_tiny_steps_where_stiffness_returns(rtol):
     )
     assert sol.success
     assert sol.nfev < 4 * implicit.nfev
+
+
+def test_a_change_of_the_method_at_a_time_event_has_crossed_it():
+    """The step before ends there: a later change of an input crossed it once more, where the row is another."""
+    x, y, push = dynamicsymbols("x y push")
+    a = symbols("a", real=True)
+    model = Model(name="changed", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                  potential_energy=2.5e5 * x**2, holonomic_constraints=[y - sin(2 * t)], inputs={push: 0.0},
+                  forces={x: push - 3e4 * x.diff() + Heaviside(t - a)}, parameters={a: 10.0},
+                  initial={x: 0.01, y.diff(): 2.0})  # fmt: skip
+    system = system_for(model, "lagrange")
+
+    def run(at: float) -> em.Solution:
+        given = em.Sampled(lambda t, x, v: t, 0.02)
+        return system.simulate((0.0, 0.1), method="auto", inputs={"push": given}, parameters={"a": at})
+
+    at = run(10.0).methods[1][0]
+    found = run(at)
+    assert found.methods[1][0] == at
+    assert found.success
+    assert found.x[1] == pytest.approx(np.sin(2 * found.t), abs=1e-9)

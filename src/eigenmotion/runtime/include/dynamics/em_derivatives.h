@@ -65,8 +65,10 @@ EM_INLINE void em_forward_rows(int n, int columns, const double *L, const double
 }
 
 EM_INLINE void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
-    for (int i = n - 1; i >= 0; --i)
-        em_add_rows_to(columns, n - 1 - i, -1.0, L + (i + 1) * n + i, n, X + (i + 1) * columns, r[i], X + i * columns);
+    for (int i = n - 1; i >= 0; --i) {
+        const int below = n - 1 - i, next = below > 0 ? i + 1 : i; /* below the last row is no memory, even to point at */
+        em_add_rows_to(columns, below, -1.0, L + next * n + i, n, X + next * columns, r[i], X + i * columns);
+    }
 }
 
 /* X (m, columns) <- Delta^-1 X; if multipliers act along rows of their own, pushed^-1 X. */

@@ -106,6 +106,7 @@ static int em_change_method(em_run_state *w) {
     memcpy(w->y, row, sizeof row);
     w->stiff = 0, w->last_error = 0.0;
     if (em_enter_mode(w) < 0 || em_enter_interval(w) < 0) return em_end_with(w, w->reason);
+    w->crosses = 0; /* a time event that is now, the step that ended here has crossed */
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     if (w->n_events > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g)) return em_end_with(w, w->reason);
     w->choice.windows = w->choice.dear = 0;
