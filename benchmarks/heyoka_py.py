@@ -28,7 +28,7 @@ REPEATS, ROUNDS = 10, 21
 
 
 def start() -> Start:
-    return Start(np.concatenate([model.initial_x, model.initial_v]), T_END)
+    return Start(np.concatenate([model.initial_x, model.initial_v]), len(model.initial_x), T_END)
 
 
 def theirs(others: Peers, tolerance: float) -> tuple[Callable[[], object], float]:
