@@ -85,7 +85,8 @@ def solvers_of(model: Model, problem: Problem, values: dict[str, float]) -> tupl
     equations, probe = classical(model).with_values(values), problem.simulate(system, "radau9", 1e-9)
     rows = np.concatenate([probe.x, probe.v]).T
     known = reference(equations, rows[0], problem.t_end, along=(probe.t, rows))
-    theirs = [solver for solver in peers(equations, Start(rows[0], system.n, problem.t_end)).solvers if "CVODES" in solver.label]
+    others = peers(equations, Start(rows[0], system.n, problem.t_end)).solvers
+    theirs = [solver for solver in others if "CVODES" in solver.label]
     return [*implicit_solvers([system], problem), *theirs], Judge(known, system, values)
 
 
