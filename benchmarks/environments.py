@@ -139,8 +139,9 @@ def show(poles: int, count: int, rounds: int, folder: Path) -> None:
     path.write_text(mjcf(poles))
     system = em.build(em.load_mjcf(path), formulation="lagrange")
     model, euler = (mujoco.MjModel.from_xml_path(str(path)) for _ in range(2))
-    kinds = {"em.gym_env": Ours(system, count), "Batch": InBatch(model, count), "rollout": RolledOut(model, count)}
-    lanes = kinds["em.gym_env"].envs.steppers.lanes
+    ours = Ours(system, count)
+    kinds = {"em.gym_env": ours, "Batch": InBatch(model, count), "rollout": RolledOut(model, count)}
+    lanes = ours.envs.steppers.lanes
     print(
         f"{poles} poles, {count} environments, {lanes} lanes; apart after {SECONDS} s, relative: {agree(kinds, count)}"
     )
